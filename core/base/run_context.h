@@ -1,0 +1,47 @@
+// What a running job may ask of the world outside: whether to go on, and where to say how far it is.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string_view>
+
+#include "tessera/base/status.h"
+
+namespace tessera {
+
+enum class StopReason : int { kNone = 0, kCancelled = 1, kTimeout = 2 };
+
+// Owned by the caller and outlives the run. All members are optional; callbacks come on the thread that runs the job.
+// The clock is the caller's: a stage lasts from its announcement to the next one.
+struct RunContext {
+  // Set from any thread or from a signal handler to end the run at the next check.
+  const std::atomic<int>* stop = nullptr;
+  // A stage of the job begins ("lloyd"). Names are stable; they are the `stages` of the report.
+  std::function<void(std::string_view stage)> on_stage;
+  // Done so far, 0..1, never falling.
+  std::function<void(double fraction)> on_progress;
+  // Something noteworthy that is no error, one line.
+  std::function<void(std::string_view message)> on_warning;
+
+  void stage(std::string_view name) const {
+    if (on_stage) on_stage(name);
+  }
+  void progress(double fraction) const {
+    if (on_progress) on_progress(fraction);
+  }
+  void warn(std::string_view message) const {
+    if (on_warning) on_warning(message);
+  }
+
+  // Empty while the run may go on, else kCancelled or kTimeout.
+  Result<void> check() const {
+    switch (stop ? static_cast<StopReason>(stop->load(std::memory_order_relaxed)) : StopReason::kNone) {
+      case StopReason::kNone: return {};
+      case StopReason::kTimeout: return fail(StatusCode::kTimeout, "", "out of time");
+      case StopReason::kCancelled: break;
+    }
+    return fail(StatusCode::kCancelled, "", "cancelled");
+  }
+};
+
+}  // namespace tessera

@@ -1,0 +1,42 @@
+// Writers: a sheet of pieces in, the bytes of a file out. They never fail on a valid sheet and touch no file.
+//
+// A valid sheet has finite coordinates below 1e9, rings of at least three vertices, a width and height above 0, and
+// plain words (letters, digits, '-', '_') for `kind` and `layer`; its job_json is empty or one JSON object in UTF-8.
+// Numbers are written with at most 3 decimals and no exponent. Memory is that of the result, and for a picture of its
+// pixels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tessera/geometry/piece.h"
+
+namespace tessera {
+
+// SVG 1.1 with Inkscape layers: a rect in layer `grout`, one <path> a piece above it, the job in <metadata>. The
+// viewBox is in source pixels; width and height are in mm where the sheet has a width_mm.
+std::string write_svg(const PieceSheet& sheet);
+// DXF R2000, one closed LWPOLYLINE a ring, a layer a colour, millimetres, y up. Without width_mm 1 px is 1 mm. A
+// layer has the nearest of AutoCAD's 255 colours, its name the true one; more than 255 colours are merged into those.
+std::string write_dxf(const PieceSheet& sheet);
+// GeoJSON FeatureCollection, one Feature a piece, coordinates in source pixels (y down). The bbox is the sheet.
+std::string write_geojson(const PieceSheet& sheet);
+// CSV with a header, one row a piece: id,colour,area_px2,perimeter_px,vertices,orientation_deg,centroid_x,centroid_y.
+// Perimeter and vertices include those of holes.
+std::string write_csv(const PieceSheet& sheet);
+// PNG picture of the sheet, 8-bit RGB, anti-aliased by exact coverage, `scale` output pixels a source pixel (> 0).
+std::string write_png(const PieceSheet& sheet, double scale = 1);
+
+// One or more histograms over the same bins, as an SVG plot with axes and a legend. Values are finite and >= 0.
+struct Histogram {
+  std::string title, x_label, y_label;
+  std::vector<std::string> bins;  // bin labels
+  struct Series {
+    std::string name;
+    std::vector<double> values;  // one a bin
+  };
+  std::vector<Series> series;
+};
+std::string write_histogram_svg(const Histogram& histogram);
+
+}  // namespace tessera

@@ -1,0 +1,28 @@
+// What every technique ends in: coloured pieces on a sheet. The formats know nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tessera/base/colour.h"
+#include "tessera/geometry/polygon.h"
+
+namespace tessera {
+
+struct Piece {
+  int id = 0;  // unique on its sheet; written as "<kind>-<id>"
+  Polygon outline;
+  Rgb fill;
+};
+
+struct PieceSheet {
+  std::string kind = "piece";    // class of a piece, and stem of its id: stone, tile, cell
+  std::string layer = "pieces";  // name of the pieces' layer: stones, tiles, cells
+  double width = 0, height = 0;  // source pixels
+  double width_mm = 0;           // physical width of the sheet; 0: none given
+  Rgb grout{128, 128, 128};      // colour between the pieces
+  std::string job_json;          // the job that made it, one JSON object; empty: none
+  std::vector<Piece> pieces;
+};
+
+}  // namespace tessera

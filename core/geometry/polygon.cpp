@@ -1,0 +1,169 @@
+#include "tessera/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tessera/base/portable_math.h"
+
+namespace tessera {
+namespace {
+
+// Calls visit(a, b) for each side of the closed ring, the one from the last vertex to the first among them.
+template <class Visit>
+void each_side(const Ring& ring, Visit&& visit) {
+  for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+}
+
+// Strictly convex, of positive signed area, starting at the least vertex by (x, y). Andrew's monotone chain.
+Ring convex_hull(Ring points) {
+  std::sort(points.begin(), points.end(), [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  Ring hull;
+  const auto add_chain = [&hull](auto first, auto last) {
+    const std::size_t start = hull.size();
+    for (; first != last; ++first) {
+      while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(*first);
+    }
+    hull.pop_back();  // the other chain starts there
+  };
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+struct Rectangle {
+  Point along;  // unit vector of one side
+  double length = 0, width = 0;
+};
+
+// The least rectangle by area; it shares a side with the hull, so the hull is turned once between two pairs of
+// parallel lines (rotating calipers).
+Rectangle least_rectangle(const Ring& hull) {
+  const std::size_t n = hull.size();
+  const auto next = [n](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
+  Rectangle best;
+  double best_area = std::numeric_limits<double>::infinity();
+  std::size_t front = 0, top = 0, back = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point side = hull[next(i)] - hull[i];
+    const Point along = (1 / length(side)) * side;
+    const auto climb = [&](std::size_t k, auto&& height) {
+      for (std::size_t steps = 0; steps < n && height(hull[next(k)]) > height(hull[k]); ++steps) k = next(k);
+      return k;
+    };
+    const auto forward = [&](Point p) { return dot(along, p - hull[i]); };
+    const auto across = [&](Point p) { return cross(along, p - hull[i]); };
+    const auto backward = [&](Point p) { return -dot(along, p - hull[i]); };
+    front = climb(i == 0 ? next(i) : front, forward);
+    top = climb(i == 0 ? front : top, across);
+    back = climb(i == 0 ? top : back, backward);
+    const double extent = forward(hull[front]) + backward(hull[back]), height = across(hull[top]);
+    if (extent * height < best_area) {
+      best_area = extent * height;
+      best = {along, extent, height};
+    }
+  }
+  return best;
+}
+
+// Sign of the turn a -> b -> c.
+int turn(Point a, Point b, Point c) {
+  const double t = cross(b - a, c - a);
+  return t > 0 ? 1 : t < 0 ? -1 : 0;
+}
+
+bool in_box(Point p, Point a, Point b) {
+  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
+}
+
+// Whether the segments ab and cd have a point in common.
+bool segments_meet(Point a, Point b, Point c, Point d) {
+  const int ac = turn(a, b, c), ad = turn(a, b, d), ca = turn(c, d, a), cb = turn(c, d, b);
+  if (ac * ad < 0 && ca * cb < 0) return true;
+  return (ac == 0 && in_box(c, a, b)) || (ad == 0 && in_box(d, a, b)) || (ca == 0 && in_box(a, c, d)) ||
+         (cb == 0 && in_box(b, c, d));
+}
+
+// Whether the side b -> c runs back along the side a -> b, or one of them has no length.
+bool folds_back(Point a, Point b, Point c) {
+  return a == b || b == c || (turn(a, b, c) == 0 && dot(b - a, c - b) < 0);
+}
+
+}  // namespace
+
+// Sums are taken relative to the first vertex: small pieces far from the origin keep their digits.
+double signed_area(const Ring& ring) {
+  double twice = 0;
+  each_side(ring, [&](Point a, Point b) { twice += cross(a - ring[0], b - ring[0]); });
+  return twice / 2;
+}
+
+double area(const Polygon& polygon) {
+  double sum = std::abs(signed_area(polygon.outer));
+  for (const Ring& hole : polygon.holes) sum -= std::abs(signed_area(hole));
+  return std::max(sum, 0.0);
+}
+
+double perimeter(const Ring& ring) {
+  double sum = 0;
+  each_side(ring, [&](Point a, Point b) { sum += length(b - a); });
+  return sum;
+}
+
+Point centroid(const Ring& ring) {
+  if (ring.empty()) return {};
+  Point mean, moment;
+  double twice = 0, reach = 0;
+  each_side(ring, [&](Point a, Point b) {
+    const Point u = a - ring[0], v = b - ring[0];
+    twice += cross(u, v);
+    moment += cross(u, v) * (u + v);
+    mean += u;
+    reach = std::max(reach, dot(u, u));
+  });
+  const bool flat = std::abs(twice) <= 1e-12 * reach;
+  return ring[0] + (flat ? 1 / static_cast<double>(ring.size()) * mean : 1 / (3 * twice) * moment);
+}
+
+bool is_convex(const Ring& ring, double tolerance_sine) {
+  const double sense = signed_area(ring) < 0 ? -1 : 1;
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point in = ring[(i + 1) % n] - ring[i], out = ring[(i + 2) % n] - ring[(i + 1) % n];
+    if (sense * cross(in, out) < -tolerance_sine * length(in) * length(out)) return false;
+  }
+  return true;
+}
+
+double orientation_deg(const Ring& ring) {
+  const Ring hull = convex_hull(ring);
+  if (hull.size() < 2) return 0;
+  const Rectangle box = least_rectangle(hull);
+  const bool square = std::abs(box.length - box.width) <= 1e-9 * box.length;
+  const bool crosswise = box.width > box.length && !square;
+  const double turn = square ? 90 : 180;  // a square's sides are alike: the direction in [0, 90)
+  const Point along = crosswise ? Point{-box.along.y, box.along.x} : box.along;
+  double degrees = std::fmod(atan2_portable(along.y, along.x) * (180 / kPi), turn);
+  if (degrees < 0) degrees += turn;
+  return degrees < turn ? degrees : 0;
+}
+
+bool is_simple(const Ring& ring) {
+  const std::size_t n = ring.size();
+  if (n < 3) return false;
+  const auto at = [&](std::size_t i) { return ring[i < n ? i : i - n]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (folds_back(at(i), at(i + 1), at(i + 2))) return false;
+    const std::size_t end = i == 0 ? n - 1 : n;  // the first side and the last are neighbours
+    for (std::size_t k = i + 2; k < end; ++k)
+      if (segments_meet(at(i), at(i + 1), at(k), at(k + 1))) return false;
+  }
+  return true;
+}
+
+}  // namespace tessera

@@ -1,0 +1,236 @@
+#include "tessera/image/zones.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace tessera {
+namespace {
+
+// Takes the stairs out of a hard-edged drawing, at the cost of rounder corners; an anti-aliased one has none.
+constexpr double kHardSigma = 1.0, kSoftSigma = 0.5;
+
+cv::Mat blurred(const cv::Mat& image, double sigma) {
+  cv::Mat out;
+  cv::GaussianBlur(image, out, {5, 5}, sigma, sigma, cv::BORDER_REPLICATE);
+  return out;
+}
+
+// Whether the greys along frontiers lie between the two sides' more often than not.
+bool is_anti_aliased(const cv::Mat1b& grey, const cv::Mat1b& zones, float dark, float light) {
+  const double low = dark + 0.1 * (light - dark), high = light - 0.1 * (light - dark);
+  int crossings = 0, between = 0;
+  for (int y = 0; y < zones.rows; ++y) {
+    for (int x = 1; x < zones.cols; ++x) {
+      if (zones(y, x) == zones(y, x - 1)) continue;
+      ++crossings;
+      const auto blends = [&](unsigned char v) { return v > low && v < high; };
+      between += blends(grey(y, x)) || blends(grey(y, x - 1));
+    }
+  }
+  return 2 * between > crossings;
+}
+
+std::array<double, 256> histogram_of(const cv::Mat1b& grey) {
+  std::array<double, 256> histogram{};
+  for (int y = 0; y < grey.rows; ++y)
+    for (const unsigned char* p = grey[y]; p != grey[y] + grey.cols; ++p) ++histogram[*p];
+  return histogram;
+}
+
+// Mean grey of the levels in [begin, end), or `otherwise` where there are none.
+double mean_level(const std::array<double, 256>& histogram, int begin, int end, double otherwise) {
+  double count = 0, sum = 0;
+  for (int i = begin; i < end; ++i) {
+    count += histogram[i];
+    sum += i * histogram[i];
+  }
+  return count > 0 ? sum / count : otherwise;
+}
+
+// Otsu's threshold on the histogram, then half way between the two means.
+double find_threshold(const std::array<double, 256>& histogram) {
+  double total = 0, sum = 0;
+  for (int i = 0; i < 256; ++i) {
+    total += histogram[i];
+    sum += i * histogram[i];
+  }
+  double best = -1, below = 0, below_sum = 0;
+  int threshold = 128;
+  for (int i = 0; i < 255; ++i) {
+    below += histogram[i];
+    below_sum += i * histogram[i];
+    const double above = total - below;
+    if (below == 0 || above == 0) continue;
+    const double difference = below_sum / below - (sum - below_sum) / above;
+    const double between = below * above * difference * difference;
+    if (between > best) {
+      best = between;
+      threshold = i + 1;
+    }
+  }
+  if (best < 0) return 127.5;  // one level only
+  return 0.5 * (mean_level(histogram, 0, threshold, 0) + mean_level(histogram, threshold, 256, 255));
+}
+
+// First centres: the sample farthest from the mean, then ever the one farthest from those taken.
+cv::Mat1f first_centres(const cv::Mat1f& samples, int colors) {
+  cv::Mat1f last, centres(0, 3), nearest(samples.rows, 1, 1e12f);
+  cv::reduce(samples, last, 0, cv::REDUCE_AVG);
+  for (int k = 0; k < colors; ++k) {
+    int farthest = 0;
+    for (int i = 0; i < samples.rows; ++i) {
+      const float d = static_cast<float>(cv::norm(samples.row(i), last, cv::NORM_L2SQR));
+      nearest(i) = k <= 1 ? d : std::min(nearest(i), d);  // the mean itself is no centre
+      if (nearest(i) > nearest(farthest)) farthest = i;
+    }
+    last = samples.row(farthest).clone();
+    centres.push_back(last);
+  }
+  return centres;
+}
+
+}  // namespace
+
+double Zones::frontier(double x, double y, int a, int b) const {
+  const double u = std::clamp(x - 0.5, 0.0, smooth.cols - 1.0), v = std::clamp(y - 0.5, 0.0, smooth.rows - 1.0);
+  const int i = static_cast<int>(u), j = static_cast<int>(v);
+  const int i1 = std::min(i + 1, smooth.cols - 1), j1 = std::min(j + 1, smooth.rows - 1);
+  const double s = u - i, t = v - j;
+  const auto blend = [&](double p, double q, double r, double w) {
+    return (1 - t) * ((1 - s) * p + s * q) + t * ((1 - s) * r + s * w);
+  };
+  if (smooth.channels() == 1) {
+    const unsigned char *row = smooth.ptr(j), *next = smooth.ptr(j1);
+    const double grey = blend(row[i], row[i1], next[i], next[i1]);
+    const double range = levels[b][0] - levels[a][0];
+    return (grey - threshold) / range;
+  }
+  const cv::Vec3b *row = smooth.ptr<cv::Vec3b>(j), *next = smooth.ptr<cv::Vec3b>(j1);
+  double along = 0, norm = 0;
+  for (int c = 0; c < 3; ++c) {
+    const double way = levels[b][c] - levels[a][c];
+    along += (blend(row[i][c], row[i1][c], next[i][c], next[i1][c]) - levels[a][c]) * way;
+    norm += way * way;
+  }
+  return std::clamp(along / std::max(norm, 1e-9), 0.0, 1.0) - 0.5;
+}
+
+Zones black_and_white(const cv::Mat3b& drawing, double threshold) {
+  cv::Mat1b grey;
+  cv::cvtColor(drawing, grey, cv::COLOR_RGB2GRAY);
+  const std::array<double, 256> histogram = histogram_of(grey);
+  Zones zones;
+  zones.threshold = threshold > 0 ? threshold * 255 : find_threshold(histogram);
+  const int first_white = static_cast<int>(std::ceil(zones.threshold));
+  // The same rule for both, so that a pixel's zone and the frontier beside it agree.
+  cv::threshold(grey, zones.map, first_white - 1, 1, cv::THRESH_BINARY);
+  const float dark = static_cast<float>(mean_level(histogram, 0, first_white, 0));
+  const float light = static_cast<float>(mean_level(histogram, first_white, 256, 255));
+  zones.smooth = blurred(grey, is_anti_aliased(grey, zones.map, dark, light) ? kSoftSigma : kHardSigma);
+  zones.levels = {cv::Vec3f::all(dark), cv::Vec3f::all(std::max(light, dark + 1))};
+  zones.palette = {{34, 34, 34}, {232, 232, 228}};
+  return zones;
+}
+
+namespace {
+
+cv::Mat1f centres_of(const cv::Mat3f& lab, int colors) {
+  // About 128 x 128 samples decide the palette.
+  const int step = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(lab.total()) / 16384)));
+  cv::Mat1f samples(0, 3);
+  for (int y = step / 2; y < lab.rows; y += step)
+    for (int x = step / 2; x < lab.cols; x += step) {
+      const cv::Vec3f v = lab(y, x);
+      samples.push_back(cv::Mat1f({1, 3}, {v[0], v[1], v[2]}));
+    }
+  cv::Mat1f centres = first_centres(samples, colors);
+  cv::Mat1i labels(samples.rows, 1, 0);
+  for (int i = 0; i < samples.rows; ++i) {
+    double least = 1e30;
+    for (int k = 0; k < colors; ++k) {
+      const double d = cv::norm(samples.row(i), centres.row(k), cv::NORM_L2SQR);
+      if (d < least) {
+        least = d;
+        labels(i) = k;
+      }
+    }
+  }
+  if (samples.rows >= colors)
+    cv::kmeans(samples, colors, labels, {cv::TermCriteria::COUNT, 20, 0}, 1, cv::KMEANS_USE_INITIAL_LABELS, centres);
+  return centres;
+}
+
+// A pixel is solid where its 3x3 neighbourhood is of one zone; anti-aliased rims are not.
+cv::Mat1b solid_pixels(const cv::Mat1b& map) {
+  cv::Mat1b least, most;
+  cv::erode(map, least, cv::Mat1b::ones(3, 3));
+  cv::dilate(map, most, cv::Mat1b::ones(3, 3));
+  return least == most;
+}
+
+// Gives pixels that blend two solid zones nearby to the nearer of the two.
+void absorb_blends(Zones& zones, const cv::Mat3b& drawing) {
+  const cv::Mat1b solid = solid_pixels(zones.map);
+  const cv::Mat1b before = zones.map.clone();
+  constexpr int kReach = 2;
+  for (int y = 0; y < before.rows; ++y) {
+    for (int x = 0; x < before.cols; ++x) {
+      if (solid(y, x)) continue;
+      bool near[256] = {};
+      for (int j = std::max(0, y - kReach); j <= std::min(before.rows - 1, y + kReach); ++j)
+        for (int i = std::max(0, x - kReach); i <= std::min(before.cols - 1, x + kReach); ++i)
+          if (solid(j, i)) near[before(j, i)] = true;
+      if (near[before(y, x)]) continue;
+      const cv::Vec3b colour = drawing(y, x);
+      double least = 1e30;
+      for (std::size_t k = 0; k < zones.levels.size(); ++k) {
+        const double d = cv::norm(cv::Vec3f(colour) - zones.levels[k], cv::NORM_L2SQR);
+        if (near[k] && d < least) {
+          least = d;
+          zones.map(y, x) = static_cast<unsigned char>(k);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Zones colour_zones(const cv::Mat3b& drawing, int colors) {
+  cv::Mat3f scaled, lab;
+  drawing.convertTo(scaled, CV_32F, 1.0 / 255);
+  cv::cvtColor(scaled, lab, cv::COLOR_RGB2Lab);
+  const cv::Mat1f centres = centres_of(lab, colors);
+  Zones zones;
+  zones.map.create(drawing.size());
+  for (int y = 0; y < lab.rows; ++y) {
+    for (int x = 0; x < lab.cols; ++x) {
+      const cv::Vec3f v = lab(y, x);
+      float least = 1e30f;
+      for (int k = 0; k < colors; ++k) {
+        const float* c = centres[k];
+        const float d = (v[0] - c[0]) * (v[0] - c[0]) + (v[1] - c[1]) * (v[1] - c[1]) + (v[2] - c[2]) * (v[2] - c[2]);
+        if (d < least) {
+          least = d;
+          zones.map(y, x) = static_cast<unsigned char>(k);
+        }
+      }
+    }
+  }
+  cv::Mat3f rgb, lab_centres(1, colors);
+  for (int k = 0; k < colors; ++k) lab_centres(0, k) = {centres(k, 0), centres(k, 1), centres(k, 2)};
+  cv::cvtColor(lab_centres, rgb, cv::COLOR_Lab2RGB);
+  for (int k = 0; k < colors; ++k) {
+    const cv::Vec3f level = rgb(0, k) * 255;
+    const cv::Vec3b byte(level);
+    zones.levels.push_back(level);
+    zones.palette.push_back({byte[0], byte[1], byte[2]});
+  }
+  absorb_blends(zones, drawing);
+  zones.smooth = blurred(drawing, kSoftSigma);
+  return zones;
+}
+
+}  // namespace tessera

@@ -1,0 +1,58 @@
+// A job: the reproducible unit of work, and the only entry into the techniques.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tessera/base/run_context.h"
+#include "tessera/image/image_view.h"
+#include "tessera/pavement/params.h"
+#include "tessera/voronoi/lloyd.h"
+
+namespace tessera {
+
+inline constexpr int kSchemaVersion = 1;
+// The largest whole number that JSON carries unharmed everywhere, JavaScript included.
+inline constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
+
+// One alternative a technique. A new technique adds its struct here and a row to techniques() (techniques.h).
+using TechniqueParams = std::variant<pavement::Params>;
+
+struct Job {
+  std::uint64_t seed = 1;  // 0 to kMaxSeed
+  TechniqueParams params;
+  std::map<std::string, std::string> inputs;  // role ("drawing") -> path or name; the core never opens it
+};
+
+// Decoded pictures, one a role; valid during the call they are handed to.
+using Pictures = std::map<std::string, ImageView>;
+
+// A finished output in memory. `name` is the extension it answers ("svg") or a file name ("plots/vertices.svg").
+struct Artifact {
+  std::string name;
+  std::string media_type;
+  std::string bytes;
+};
+
+struct JobRequest {
+  std::vector<std::string> formats;  // of those the technique has: "svg", "dxf"; others are kInvalidParameter
+  bool plots = false;
+  double png_scale = 0;  // output pixels a source pixel, up to 16; 0 lets the sheet's size decide
+};
+
+struct JobResult {
+  std::vector<Artifact> artifacts;             // in the order of request.formats, then plots
+  std::map<std::string, std::int64_t> counts;  // of the report
+  std::map<std::string, double> metrics;       // finite
+};
+
+// Runs the job on decoded pictures. Reports all problems of parameters, inputs and formats together. OpenCV's
+// exceptions and failed allocations end here, as kInternal. Stages are the technique's, then "format".
+tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
+                                          Rasterizer& rasterizer, const RunContext& context,
+                                          const IterationObserver& observer = {});
+
+}  // namespace tessera

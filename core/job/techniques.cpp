@@ -1,0 +1,32 @@
+#include "tessera/job/techniques.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "tessera/job/pavement_job.h"
+
+namespace tessera {
+
+const std::vector<Technique>& techniques() {
+  static const std::vector<Technique> all = {
+      {.name = "pavement",
+       .command = "pave",
+       .help = "Portuguese pavement from a black-and-white (or coloured) drawing",
+       .inputs = {{"drawing", "The drawing to pave"}},
+       .formats = {"svg", "dxf", "png", "json", "csv"},
+       .defaults = pavement::Params{},
+       .run = run_pavement_job},
+  };
+  assert(all.size() == std::variant_size_v<TechniqueParams>);
+  return all;
+}
+
+const Technique& technique_of(const TechniqueParams& params) { return techniques()[params.index()]; }
+
+const Technique* find_technique(std::string_view name) {
+  const auto& all = techniques();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Technique& t) { return t.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace tessera

@@ -1,0 +1,186 @@
+#include "tessera/pavement/diagram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tessera/base/portable_math.h"
+#include "tessera/voronoi/cells.h"
+#include "tessera/voronoi/trace.h"
+
+namespace tessera::pavement {
+namespace {
+
+// The direction across a thin line: along which the distance field falls off fastest to both sides.
+double angle_across(const DistanceField& field, double x, double y, double step) {
+  const auto d = [&](double dx, double dy) -> double { return at(field, x + dx * step, y + dy * step); };
+  const double centre = d(0, 0);
+  const double xx = d(1, 0) + d(-1, 0) - 2 * centre, yy = d(0, 1) + d(0, -1) - 2 * centre;
+  const double xy = (d(1, 1) + d(-1, -1) - d(1, -1) - d(-1, 1)) / 4;
+  return atan2_portable(2 * xy, xx - yy) / 2 + kPi / 2;
+}
+
+class Lloyd {
+ public:
+  Lloyd(const Fields& fields, const Params& params, std::uint64_t seed)
+      : fields_(fields),
+        params_(params),
+        noise_(fields.distance, 3 * fields.half_side, 2 * fields.half_side,
+               2 * fields.half_side * params.noise_scale, seed) {}
+
+  // Turns a site, and near an edge moves it to lie in the row of stones along that edge.
+  void settle(Site& site) const {
+    const double h = fields_.half_side;
+    const double distance = at(fields_.distance, site.x, site.y);
+    const double half_width = distance < kSingleRow * h ? fields_.half_width_at(site.x, site.y, 2 * h) : 2 * h;
+    if (half_width < kSingleRow * h) {
+      settle_in_band(site, distance, half_width);
+    } else if (distance >= 1.5 * h || !settle_at_edge(site, distance, std::min(h, half_width / 2))) {
+      site.angle = noise_.angle(site.x, site.y);
+    }
+    site.x = std::clamp(snap_position(site.x), 0.0, static_cast<double>(fields_.zones.map.cols));
+    site.y = std::clamp(snap_position(site.y), 0.0, static_cast<double>(fields_.zones.map.rows));
+    site.angle = snap_angle(site.angle);
+  }
+
+  // A cell's centre of mass is its new site, unless it lies in another zone.
+  void recentre(Site& site, const CellMoments& moments) const {
+    const double x = moments.centroid_x(), y = moments.centroid_y();
+    if (fields_.zone_at(x, y) == site.zone) {
+      site.x = x;
+      site.y = y;
+    }
+    settle(site);
+  }
+
+ private:
+  // A band too narrow for two rows of stones gets one, whose stones reach across.
+  void settle_in_band(Site& site, double distance, double half_width) const {
+    if (distance < 0.75 * half_width) move_uphill(site, half_width - distance);
+    site.angle = angle_across(fields_.distance, site.x, site.y, std::max(1.0, std::ceil(0.7 * half_width)));
+    site.extent_u = static_cast<float>(params_.cap_scale * half_width);
+    site.extent_v = static_cast<float>(params_.cap_scale * half_length(half_width, fields_.half_side));
+  }
+
+  // III.B: nearer than 1.5 h to an edge, a site moves to distance h and turns with the edge (Eq. 3).
+  bool settle_at_edge(Site& site, double distance, double wanted) const {
+    const cv::Vec2d up = move_uphill(site, wanted - distance);
+    if (up[0] == 0 && up[1] == 0) return false;
+    site.angle = atan2_portable(up[1], up[0]);
+    return true;
+  }
+
+  // Moves a site away from the edge by `way`, unless that leaves its zone; the direction of away.
+  cv::Vec2d move_uphill(Site& site, double way) const {
+    const int step = std::max(1, static_cast<int>(std::lround(fields_.half_side / 2)));
+    const cv::Vec2d up = uphill(fields_.distance, site.x, site.y, step);
+    const double x = site.x + way * up[0], y = site.y + way * up[1];
+    if (fields_.zone_at(x, y) == site.zone) {
+      site.x = x;
+      site.y = y;
+    }
+    return up;
+  }
+
+  static constexpr double kSingleRow = 1.5;  // of h: half the width of the widest band with one row
+
+  const Fields& fields_;
+  const Params& params_;
+  NoiseDirection noise_;
+};
+
+// Sites for the patches that no site reached: each becomes a cell of its own.
+void seed_unreached(Sites& sites, LabelMap labels, const Fields& fields, const Params& params) {
+  const int first = static_cast<int>(sites.size());
+  const int cells = connect_cells(labels, fields.zones.map, first);
+  if (cells == first) return;
+  std::vector<cv::Point> deepest(cells - first, {-1, -1});
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      const int k = labels(y, x) - first;
+      if (k < 0) continue;
+      cv::Point& best = deepest[k];
+      if (best.x < 0 || fields.distance(y, x) > fields.distance(best)) best = {x, y};
+    }
+  }
+  for (const cv::Point& p : deepest) {
+    Site site;
+    site.x = p.x + 0.5;
+    site.y = p.y + 0.5;
+    site.zone = fields.zones.map(p);
+    site.extent_u = site.extent_v = static_cast<float>(params.cap_scale * fields.half_side);
+    sites.push_back(site);
+  }
+}
+
+// Gives each empty cell's site a place beside that of one of the largest cells of its zone.
+int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
+  std::map<int, std::vector<int>> largest;  // by zone, filled where needed
+  int reseeded = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (moments[i].count > 0) continue;
+    std::vector<int>& candidates = largest[sites[i].zone];
+    if (candidates.empty()) {
+      for (std::size_t k = 0; k < sites.size(); ++k)
+        if (sites[k].zone == sites[i].zone && moments[k].count > 1) candidates.push_back(static_cast<int>(k));
+      std::stable_sort(candidates.begin(), candidates.end(),
+                       [&](int a, int b) { return moments[a].count < moments[b].count; });
+    }
+    if (candidates.empty()) continue;
+    const int k = candidates.back();
+    candidates.pop_back();
+    const SinCos turn = sin_cos(sites[k].angle);
+    const double away = 0.3 * std::sqrt(static_cast<double>(moments[k].count));
+    sites[i].x = snap_position(moments[k].centroid_x() + away * turn.cos);
+    sites[i].y = snap_position(moments[k].centroid_y() + away * turn.sin);
+    sites[i].angle = sites[k].angle;
+    ++reseeded;
+  }
+  return reseeded;
+}
+
+std::vector<std::uint8_t> zones_of_cells(const LabelMap& labels, const cv::Mat1b& zones, int cells) {
+  std::vector<std::uint8_t> zone(cells, 0);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) zone[labels(y, x)] = zones(y, x);
+  return zone;
+}
+
+}  // namespace
+
+Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& params, std::uint64_t seed,
+                              Rasterizer& rasterizer, const RunContext& context, const IterationObserver& observer) {
+  const Lloyd lloyd(fields, params, seed);
+  Diagram diagram;
+  const double reach = 8 * fields.half_side;
+  if (auto ready = rasterizer.begin(fields.zones.map, Metric::kFrustum, reach); !ready)
+    return tl::unexpected(ready.error());
+  for (Site& site : sites) lloyd.settle(site);
+
+  for (int iteration = 0; iteration <= params.iterations; ++iteration) {
+    if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
+    if (auto labelled = rasterizer.label(sites, diagram.labels); !labelled) return tl::unexpected(labelled.error());
+    if (iteration == 0) {
+      const std::size_t reached = sites.size();
+      seed_unreached(sites, diagram.labels.clone(), fields, params);
+      for (std::size_t i = reached; i < sites.size(); ++i) lloyd.settle(sites[i]);
+      if (sites.size() > reached)
+        if (auto again = rasterizer.label(sites, diagram.labels); !again) return tl::unexpected(again.error());
+    }
+    if (observer) observer(iteration, fields.scale, sites, diagram.labels);
+    context.progress(0.1 + 0.6 * (iteration + 1) / (params.iterations + 1));
+    if (iteration == params.iterations) break;
+    const auto moments = cell_moments(diagram.labels, static_cast<int>(sites.size()));
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      if (moments[i].count > 0) lloyd.recentre(sites[i], moments[i]);
+    diagram.reseeded += reseed_empty(sites, moments);
+  }
+
+  const int cells = connect_cells(diagram.labels, fields.zones.map, static_cast<int>(sites.size()));
+  diagram.cells = open_enclosures(diagram.labels, fields.zones.map, cells);
+  diagram.cell_zone = zones_of_cells(diagram.labels, fields.zones.map, diagram.cells);
+  diagram.sites = std::move(sites);
+  return diagram;
+}
+
+}  // namespace tessera::pavement

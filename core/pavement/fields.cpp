@@ -1,0 +1,133 @@
+#include "tessera/pavement/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/noise.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "tessera/base/portable_math.h"
+#include "tessera/base/rng.h"
+
+namespace tessera::pavement {
+namespace {
+
+Zones make_zones(const cv::Mat3b& drawing, const Params& params) {
+  return params.colors == 2 ? black_and_white(drawing, params.threshold) : colour_zones(drawing, params.colors);
+}
+
+// Pixels of zones too thin to hold a disc of the given diameter.
+int thin_pixels(const cv::Mat1b& zones, int count, int diameter) {
+  int thin = 0;
+  for (int zone = 0; zone < count; ++zone) {
+    cv::Mat1b mask = zones == zone, opened;
+    const cv::Mat element = cv::getStructuringElement(cv::MORPH_RECT, {diameter, diameter});
+    cv::morphologyEx(mask, opened, cv::MORPH_OPEN, element, {-1, -1}, 1, cv::BORDER_REPLICATE);
+    thin += cv::countNonZero(mask) - cv::countNonZero(opened);
+  }
+  return thin;
+}
+
+// Lines one or two pixels wide are all staircase; twice the pixels give them a width and a direction.
+int choose_supersample(const cv::Mat3b& drawing, const Params& params) {
+  if (params.supersample > 0) return params.supersample;
+  constexpr double kThinShare = 0.002;
+  const Zones zones = make_zones(drawing, params);
+  const int thin = thin_pixels(zones.map, static_cast<int>(zones.palette.size()), 3);
+  return thin > kThinShare * static_cast<double>(zones.map.total()) ? 2 : 1;
+}
+
+}  // namespace
+
+NoiseDirection::NoiseDirection(const DistanceField& distance, double far, double spacing, double wavelength,
+                               std::uint64_t seed)
+    : spacing_(spacing),
+      grid_(static_cast<int>(distance.rows / spacing) + 2, static_cast<int>(distance.cols / spacing) + 2) {
+  Rng rng(seed, RngPurpose::kNoise);
+  const float offset[] = {static_cast<float>(rng.uniform(0, 200)), static_cast<float>(rng.uniform(0, 200)),
+                          static_cast<float>(rng.uniform(0, 200)), static_cast<float>(rng.uniform(0, 200))};
+  const float step = static_cast<float>(spacing / wavelength);
+  for (int j = 0; j < grid_.rows; ++j)
+    for (int i = 0; i < grid_.cols; ++i)
+      grid_(j, i) = {glm::perlin(glm::vec2(offset[0] + i * step, offset[1] + j * step)),
+                     glm::perlin(glm::vec2(offset[2] + i * step, offset[3] + j * step))};
+  balance(distance, far);
+}
+
+void NoiseDirection::balance(const DistanceField& distance, double far) {
+  constexpr int kRounds = 12;
+  constexpr double kGain = 0.3;  // about the noise's own size
+  for (int round = 0; round < kRounds; ++round) {
+    cv::Vec2d sum(0, 0);
+    int count = 0;
+    for (int j = 0; j < grid_.rows; ++j) {
+      for (int i = 0; i < grid_.cols; ++i) {
+        const int x = static_cast<int>(i * spacing_), y = static_cast<int>(j * spacing_);
+        if (x >= distance.cols || y >= distance.rows || distance(y, x) < far) continue;
+        ++count;
+        // Stones at the picture's border line up with it whatever the noise says.
+        if (i == 0 || j == 0 || x + spacing_ >= distance.cols || y + spacing_ >= distance.rows) sum += cv::Vec2d(1, 0);
+        const cv::Vec2d v = grid_(j, i);
+        const double size = std::sqrt(v.dot(v));
+        if (size > 0) sum += v * (1 / size);
+      }
+    }
+    if (count == 0) return;
+    const cv::Vec2d off = sum * (kGain / count);
+    for (cv::Vec2f& v : grid_) v -= cv::Vec2f(static_cast<float>(off[0]), static_cast<float>(off[1]));
+  }
+}
+
+double NoiseDirection::angle(double x, double y) const {
+  const double u = std::clamp(x / spacing_, 0.0, grid_.cols - 1.001), v = std::clamp(y / spacing_, 0.0, grid_.rows - 1.001);
+  const int i = static_cast<int>(u), j = static_cast<int>(v);
+  const float s = static_cast<float>(u - i), t = static_cast<float>(v - j);
+  const cv::Vec2f a = grid_(j, i) * (1 - s) + grid_(j, i + 1) * s, b = grid_(j + 1, i) * (1 - s) + grid_(j + 1, i + 1) * s;
+  const cv::Vec2f n = a * (1 - t) + b * t;
+  return atan2_portable(n[1], n[0]) / 4;
+}
+
+int Fields::zone_at(double x, double y) const {
+  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+  return i < 0 || j < 0 || i >= zones.map.cols || j >= zones.map.rows ? -1 : zones.map(j, i);
+}
+
+double Fields::half_width_at(double x, double y, double cap) const {
+  int i = std::clamp(static_cast<int>(std::floor(x)), 0, distance.cols - 1);
+  int j = std::clamp(static_cast<int>(std::floor(y)), 0, distance.rows - 1);
+  const int zone = zones.map(j, i), steps = static_cast<int>(std::ceil(cap)) + 1;
+  for (int k = 0; k < steps && distance(j, i) < cap; ++k) {
+    int best_i = i, best_j = j;
+    for (int y1 = std::max(0, j - 1); y1 <= std::min(distance.rows - 1, j + 1); ++y1)
+      for (int x1 = std::max(0, i - 1); x1 <= std::min(distance.cols - 1, i + 1); ++x1)
+        if (distance(y1, x1) > distance(best_j, best_i) && zones.map(y1, x1) == zone) best_i = x1, best_j = y1;
+    if (best_i == i && best_j == j) break;
+    i = best_i;
+    j = best_j;
+  }
+  return std::min<double>(cap, distance(j, i));
+}
+
+double half_length(double half_width, double half_side) {
+  // In a band wider than a stone it keeps a stone's area; in a line it is half as long again as wide, but no crumb.
+  if (half_width > half_side) return half_side * half_side / half_width;
+  return std::clamp(1.5 * half_width, 0.3 * half_side, half_side);
+}
+
+Fields make_fields(const ImageView& drawing, const Params& params) {
+  const cv::Mat3b source = drawing.mat();
+  Fields fields;
+  const int scale = choose_supersample(source, params);
+  fields.scale = scale;
+  fields.half_side = params.half_side * scale;
+  cv::Mat3b scaled = source;
+  if (scale > 1) {
+    cv::GaussianBlur(source, scaled, {5, 5}, 0.8, 0.8, cv::BORDER_REPLICATE);
+    cv::resize(scaled, scaled, {}, scale, scale, cv::INTER_CUBIC);
+  }
+  fields.zones = make_zones(scaled, params);
+  fields.distance = params.distance == Distance::kExact ? exact_distance(fields.zones.map)
+                                                        : chamfer_distance(fields.zones.map);
+  return fields;
+}
+
+}  // namespace tessera::pavement

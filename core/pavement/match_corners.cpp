@@ -1,0 +1,215 @@
+#include "tessera/pavement/match_corners.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+namespace tessera::pavement {
+namespace {
+
+// What a curved frontier may deviate under one stone's straight side, in h: where the stone falls short of it there is
+// wider grout, where it goes beyond it covers the other colour.
+constexpr double kFrontierShort = 0.2, kFrontierBeyond = 0.12;
+constexpr double kSquareness = 0.25;    // weight of right angles against distances moved (in h, squared)
+constexpr double kTooFar = 1.2;         // largest rise of a stone's badness that one flat angle may cost
+constexpr double kChange = 0.01;        // least cost of a link in a chain of changes
+constexpr int kSearchLimit = 300;       // links an augmenting search may look at
+constexpr int kLargestCell = 24;        // vertices of a cell; larger ones stay as they are
+
+// A flat angle that may be: at `vertex`, for `cell`.
+struct Candidate {
+  int slot, cell, vertex;
+};
+
+class Matcher {
+ public:
+  Matcher(const Tessellation& t, double half_side) : t_(t), map_(t.map), h_(half_side) {
+    flat_.assign(map_.ring.size(), 0);
+    owner_.assign(map_.vertices.size(), -1);
+    spare_.resize(map_.cells());
+    for (int c = 0; c < map_.cells(); ++c)
+      spare_[c] = map_.corners(c) > kLargestCell ? 0 : std::max(0, map_.corners(c) - 4);
+    find_candidates();
+  }
+
+  std::vector<char> run() {
+    cheapest_first();
+    for (int cell = 0; cell < map_.cells(); ++cell)
+      while (spare_[cell] > 0 && augment(cell)) {}
+    return std::move(flat_);
+  }
+
+ private:
+  void find_candidates() {
+    std::vector<std::array<int, 3>> slots(map_.vertices.size(), {-1, -1, -1});
+    std::vector<int> cell_of(map_.ring.size()), degree(map_.vertices.size(), 0);
+    for (int c = 0; c < map_.cells(); ++c) {
+      for (int s = map_.first[c]; s < map_.first[c + 1]; ++s) {
+        cell_of[s] = c;
+        const int v = map_.ring[s];
+        if (degree[v] < 3) slots[v][degree[v]] = s;
+        ++degree[v];
+      }
+    }
+    candidate_at_.assign(map_.ring.size(), 0);
+    for (std::size_t v = 0; v < slots.size(); ++v) {
+      if (degree[v] != 3) continue;  // four stones' corners are all square, two stones' vertex is a bend
+      const auto zone = [&](int k) { return t_.zone[cell_of[slots[v][k]]]; };
+      const bool one_zone = zone(0) == zone(1) && zone(1) == zone(2);
+      for (int k = 0; k < 3; ++k) {
+        const int slot = slots[v][k];
+        if (one_zone) {
+          candidate_at_[slot] = 1;
+        } else if (zone(k) != zone((k + 1) % 3) && zone(k) != zone((k + 2) % 3)) {
+          flatten_on_frontier({slot, cell_of[slot], static_cast<int>(v)});
+        }
+      }
+    }
+    cell_of_ = std::move(cell_of);
+  }
+
+  // On a frontier the stone that is alone in its zone has its straight side there: no choice, unless it bends.
+  void flatten_on_frontier(const Candidate& c) {
+    const Point p = map_.at(c.slot), a = map_.at(map_.previous(c.cell, c.slot)), b = map_.at(map_.next(c.cell, c.slot));
+    const double size = length(b - a);
+    if (spare_[c.cell] == 0 || size == 0) return;
+    const double hollow = cross(b - a, p - a) / (size * h_);
+    if (hollow <= kFrontierBeyond && hollow >= -kFrontierShort) take(c);
+  }
+
+  // How far a cell is from a stone when its flat angles, `lost` no more and `gained` too, are flattened: squared
+  // distances of the flat vertices from their sides, and how far its corners are from right angles.
+  double badness(int cell, int lost, int gained) const {
+    Point corner[kLargestCell];
+    int slot_of[kLargestCell], n = 0;
+    const int first = map_.first[cell], end = map_.first[cell + 1];
+    for (int s = first; s < end; ++s) {
+      if ((flat_[s] && s != lost) || s == gained) continue;
+      corner[n] = map_.at(s);
+      slot_of[n++] = s;
+    }
+    double sum = 0;
+    for (int i = 0; i < n; ++i) {
+      const Point p = corner[i], next = corner[(i + 1) % n], way = next - p;
+      const Point back = corner[(i + n - 1) % n] - p;
+      const double size = length(way), girth = size * length(back);
+      const double square = girth > 0 ? cross(way, back) / girth : -1;
+      sum += kSquareness * (1 - square) * (1 - square);
+      const int until = slot_of[(i + 1) % n];
+      for (int s = map_.next(cell, slot_of[i]); s != until; s = map_.next(cell, s)) {
+        const double off = size > 0 ? cross(way, map_.at(s) - p) / size / h_ : 1;
+        sum += off * off;
+      }
+    }
+    return sum;
+  }
+
+  double rise(int cell, int lost, int gained) const { return badness(cell, lost, gained) - badness(cell, -1, -1); }
+
+  bool free_candidate(int slot) const { return candidate_at_[slot] && !flat_[slot]; }
+
+  void take(const Candidate& c) {
+    flat_[c.slot] = 1;
+    owner_[c.vertex] = c.slot;
+    --spare_[c.cell];
+  }
+
+  // The flat angle that improves its stone most, or harms it least; what it changes is looked at again.
+  void cheapest_first() {
+    struct Entry {
+      double cost;
+      int slot, version;
+      bool operator<(const Entry& other) const { return cost != other.cost ? cost > other.cost : slot > other.slot; }
+    };
+    std::priority_queue<Entry> queue;
+    std::vector<int> version(map_.cells(), 0);
+    const auto offer = [&](int cell) {
+      if (spare_[cell] == 0) return;
+      const double now = badness(cell, -1, -1);
+      for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s)
+        if (free_candidate(s) && owner_[map_.ring[s]] < 0) queue.push({badness(cell, -1, s) - now, s, version[cell]});
+    };
+    for (int cell = 0; cell < map_.cells(); ++cell) offer(cell);
+    while (!queue.empty()) {
+      const Entry e = queue.top();
+      queue.pop();
+      const int cell = cell_of_[e.slot];
+      if (e.version != version[cell] || owner_[map_.ring[e.slot]] >= 0 || e.cost > kTooFar) continue;
+      take({e.slot, cell, map_.ring[e.slot]});
+      ++version[cell];
+      offer(cell);
+    }
+  }
+
+  // A link of a chain: `gained` becomes flat in its cell, which lost `lost` (-1 at the start) to the link before.
+  struct Link {
+    double cost;
+    int gained, lost, before;
+    bool operator<(const Link& other) const { return cost != other.cost ? cost > other.cost : gained > other.gained; }
+  };
+
+  // Cheapest chain by which `start` gets one more flat angle: it takes one from a stone, which takes one from another,
+  // until a vertex that was no stone's. Returns whether there was one.
+  bool augment(int start) {
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
+    std::vector<Link> links;
+    std::vector<int> seen;  // slots lost so far
+    const auto expand = [&](int cell, int lost, int before, double cost) {
+      for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s) {
+        if (!free_candidate(s) || s == lost) continue;
+        const double step = rise(cell, lost, s);
+        if (step > kTooFar) continue;
+        links.push_back({cost + std::max(kChange, step), s, lost, before});
+        queue.push({links.back().cost, static_cast<int>(links.size()) - 1});
+      }
+    };
+    expand(start, -1, -1, 0);
+    for (int looked = 0; !queue.empty() && looked < kSearchLimit; ++looked) {
+      const int at = queue.top().second;
+      queue.pop();
+      const Link link = links[at];
+      const int held = owner_[map_.ring[link.gained]];
+      if (held < 0) {
+        flip(links, at);
+        --spare_[start];
+        return true;
+      }
+      if (!candidate_at_[held] || std::find(seen.begin(), seen.end(), held) != seen.end()) continue;
+      const int loser = cell_of_[held];
+      if (in_chain(links, at, loser)) continue;
+      seen.push_back(held);
+      expand(loser, held, at, link.cost);
+    }
+    return false;
+  }
+
+  bool in_chain(const std::vector<Link>& links, int at, int cell) const {
+    for (; at >= 0; at = links[at].before)
+      if (cell_of_[links[at].gained] == cell) return true;
+    return false;
+  }
+
+  void flip(const std::vector<Link>& links, int at) {
+    for (; at >= 0; at = links[at].before) {
+      const int slot = links[at].gained, vertex = map_.ring[slot];
+      if (owner_[vertex] >= 0) flat_[owner_[vertex]] = 0;
+      flat_[slot] = 1;
+      owner_[vertex] = slot;
+    }
+  }
+
+  const Tessellation& t_;
+  const PlanarMap& map_;
+  const double h_;
+  std::vector<char> flat_, candidate_at_;  // one a slot
+  std::vector<int> owner_;                 // slot at which a vertex is flat, -1: none
+  std::vector<int> spare_;                 // vertices of a cell above four that are corners still
+  std::vector<int> cell_of_;               // of a slot
+};
+
+}  // namespace
+
+std::vector<char> match_corners(const Tessellation& t, double half_side) { return Matcher(t, half_side).run(); }
+
+}  // namespace tessera::pavement

@@ -1,0 +1,183 @@
+#include "tessera/pavement/place_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tessera/pavement/bend_arcs.h"
+#include "tessera/voronoi/trace.h"
+
+namespace tessera::pavement {
+namespace {
+
+Point frontier_gradient(const Zones& zones, int a, int b, Point p) {
+  constexpr double kStep = 0.5;
+  return {(zones.frontier(p.x + kStep, p.y, a, b) - zones.frontier(p.x - kStep, p.y, a, b)) / (2 * kStep),
+          (zones.frontier(p.x, p.y + kStep, a, b) - zones.frontier(p.x, p.y - kStep, a, b)) / (2 * kStep)};
+}
+
+// The labels around a junction, each once, in cyclic order.
+struct Meeting {
+  std::array<int, 4> cells{};
+  int count = 0;
+  bool at_border = false;
+  std::array<int, 2> zones{-1, -1};  // the zones that meet
+  int zone_count = 0;
+
+  Meeting(const Junction& junction, const std::vector<std::uint8_t>& cell_zone) {
+    for (const int label : junction.labels) {
+      if (label == kOutside) at_border = true;
+      if (label == kOutside || std::find(cells.begin(), cells.begin() + count, label) != cells.begin() + count) continue;
+      cells[count++] = label;
+      const int zone = cell_zone[label];
+      if (zone == zones[0] || zone == zones[1]) continue;
+      if (zone_count < 2) zones[zone_count] = zone;
+      ++zone_count;
+    }
+  }
+};
+
+class Placer {
+ public:
+  Placer(const Diagram& diagram, const Fields& fields) : diagram_(diagram), fields_(fields) {
+    frames_.reserve(diagram.sites.size());
+    for (const Site& site : diagram.sites) frames_.emplace_back(site);
+  }
+
+  // Position, freedom and normal of one junction, and the zones it is between.
+  void place(const Junction& junction, Point& p, Freedom& freedom, Point& normal,
+             std::array<std::uint8_t, 2>& between) const {
+    const Meeting meeting(junction, diagram_.cell_zone);
+    for (int k = 0; k < std::min(2, meeting.zone_count); ++k) between[k] = static_cast<std::uint8_t>(meeting.zones[k]);
+    p = {static_cast<double>(junction.x), static_cast<double>(junction.y)};
+    normal = {0, 0};
+    if (meeting.at_border) {
+      place_on_border(junction, meeting, p, freedom, normal);
+    } else if (meeting.zone_count == 1) {
+      freedom = Freedom::kFree;
+      balance(meeting, p);
+    } else if (meeting.zone_count == 2) {
+      place_on_frontier(meeting, p, freedom, normal);
+    } else {
+      freedom = Freedom::kFixed;  // three zones meet in one point of the drawing
+    }
+  }
+
+ private:
+  static constexpr double kLimit = 1.5;  // pixels a vertex may move away from its corner
+
+  const FrustumDistance* frame(int cell) const {
+    return cell < static_cast<int>(frames_.size()) ? &frames_[cell] : nullptr;
+  }
+
+  // Newton's method for equal distance from the first three sites.
+  void balance(const Meeting& meeting, Point& p) const {
+    const FrustumDistance* sites[3];
+    for (int k = 0; k < 3; ++k)
+      if (!(sites[k] = frame(meeting.cells[k]))) return;
+    Point q = p;
+    for (int i = 0; i < 6; ++i) {
+      const auto a = sites[0]->at(q.x, q.y), b = sites[1]->at(q.x, q.y), c = sites[2]->at(q.x, q.y);
+      const Point ab{a.slope_x - b.slope_x, a.slope_y - b.slope_y}, ac{a.slope_x - c.slope_x, a.slope_y - c.slope_y};
+      const double f = a.distance - b.distance, g = a.distance - c.distance, det = cross(ab, ac);
+      if (std::fabs(det) < 0.05) return;
+      const Point step{(g * ab.y - f * ac.y) / det, (f * ac.x - g * ab.x) / det};
+      q += step;
+      if (length(q - p) > kLimit) return;
+      if (length(step) < 1e-3) break;
+    }
+    p = q;
+  }
+
+  // Slides p along a line until the first two sites of the meeting that share a zone are equally far.
+  void balance_along(const Meeting& meeting, Point direction, Point& p) const {
+    for (int i = 0; i < meeting.count; ++i) {
+      for (int j = i + 1; j < meeting.count; ++j) {
+        const FrustumDistance *a = frame(meeting.cells[i]), *b = frame(meeting.cells[j]);
+        if (!a || !b || diagram_.cell_zone[meeting.cells[i]] != diagram_.cell_zone[meeting.cells[j]]) continue;
+        Point q = p;
+        for (int k = 0; k < 4; ++k) {
+          const auto s = a->at(q.x, q.y), t = b->at(q.x, q.y);
+          const double slope = dot({s.slope_x - t.slope_x, s.slope_y - t.slope_y}, direction);
+          if (std::fabs(slope) < 0.1) return;
+          q -= ((s.distance - t.distance) / slope) * direction;
+          if (length(q - p) > kLimit) return;
+        }
+        p = q;
+        return;
+      }
+    }
+  }
+
+  void place_on_frontier(const Meeting& meeting, Point& p, Freedom& freedom, Point& normal) const {
+    const auto [a, b] = meeting.zones;
+    freedom = Freedom::kFixed;
+    if (!to_frontier(fields_.zones, a, b, kLimit, p)) return;
+    const Point across = frontier_gradient(fields_.zones, a, b, p);
+    const double size = length(across);
+    if (size < 1e-3) return;
+    freedom = Freedom::kFrontier;
+    normal = (1 / size) * across;
+    if (meeting.count == 3) balance_along(meeting, {-normal.y, normal.x}, p);
+    to_frontier(fields_.zones, a, b, kLimit, p);
+  }
+
+  void place_on_border(const Junction& junction, const Meeting& meeting, Point& p, Freedom& freedom,
+                       Point& normal) const {
+    const bool at_side = junction.x == 0 || junction.x == diagram_.labels.cols;
+    const bool at_end = junction.y == 0 || junction.y == diagram_.labels.rows;
+    freedom = Freedom::kFixed;
+    if (at_side && at_end) return;
+    const Point along = at_side ? Point{0, 1} : Point{1, 0};
+    if (meeting.zone_count == 1) {
+      freedom = Freedom::kBorder;
+      normal = {along.y, along.x};
+      balance_along(meeting, along, p);
+    } else if (meeting.zone_count == 2) {
+      const Point q = p;
+      if (to_frontier(fields_.zones, meeting.zones[0], meeting.zones[1], kLimit, p)) p = q + dot(p - q, along) * along;
+    }
+    p.x = std::clamp(p.x, 0.0, static_cast<double>(diagram_.labels.cols));
+    p.y = std::clamp(p.y, 0.0, static_cast<double>(diagram_.labels.rows));
+  }
+
+  const Diagram& diagram_;
+  const Fields& fields_;
+  std::vector<FrustumDistance> frames_;
+};
+
+}  // namespace
+
+bool to_frontier(const Zones& zones, int a, int b, double limit, Point& p) {
+  Point q = p;
+  for (int i = 0; i < 5; ++i) {
+    const double value = zones.frontier(q.x, q.y, a, b);
+    if (std::fabs(value) < 2e-3) break;
+    const Point slope = frontier_gradient(zones, a, b, q);
+    const double steep = dot(slope, slope);
+    if (steep < 1e-4) return false;
+    Point step = (-value / steep) * slope;
+    if (length(step) > 1) step = (1 / length(step)) * step;
+    q += step;
+    if (length(q - p) > limit) return false;
+  }
+  p = q;
+  return true;
+}
+
+Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
+  const CellGraph graph = trace_cells(diagram.labels);
+  const Placer placer(diagram, fields);
+  const std::size_t n = graph.junctions.size();
+  Tessellation t;
+  t.zone = diagram.cell_zone;
+  t.map.vertices.resize(n);
+  t.freedom.resize(n);
+  t.normal.resize(n);
+  t.between.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+    placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i], t.between[i]);
+  bend_arcs(graph, diagram, fields, t);
+  return t;
+}
+
+}  // namespace tessera::pavement

@@ -1,0 +1,131 @@
+#include "tessera/pavement/relax.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tessera/geometry/polygon.h"
+
+namespace tessera::pavement {
+namespace {
+
+constexpr int kRounds = 40;
+constexpr double kSlide = 0.35;   // of h: how far a vertex slides along a frontier
+constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
+constexpr double kMargin = 0.15;  // of the line between its neighbours: how near a vertex comes to either
+
+class Relaxer {
+ public:
+  Relaxer(Tessellation& t, const std::vector<char>& flat, double half_side)
+      : t_(t), map_(t.map), flat_(flat), begin_(t.map.vertices), half_side_(half_side) {}
+
+  // `pull`: how strongly vertices are drawn back to where they began.
+  void round(double pull) {
+    for (std::size_t v = 0; v < begin_.size(); ++v)
+      if (t_.freedom[v] != Freedom::kFixed) move(static_cast<int>(v), pull * (begin_[v] - map_.vertices[v]));
+    for (int cell = 0; cell < map_.cells(); ++cell)
+      for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) straighten(cell, slot);
+  }
+
+  // Sliding along a tangent leaves a curved frontier.
+  void back_to_frontier(const Zones& zones) {
+    for (std::size_t v = 0; v < begin_.size(); ++v)
+      if (t_.freedom[v] == Freedom::kFrontier)
+        to_frontier(zones, t_.between[v][0], t_.between[v][1], 1, map_.vertices[v]);
+  }
+
+  // Undoes the moves of tangled stones, until none is left that undoing helps.
+  void untangle(std::vector<char>& flat) {
+    std::vector<char> undone(map_.vertices.size(), 0);
+    for (bool again = true; again;) {
+      again = false;
+      for (int cell = 0; cell < map_.cells(); ++cell) {
+        if (!is_tangled(cell)) continue;
+        for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
+          const int v = map_.ring[slot];
+          if (undone[v]) continue;
+          undone[v] = 1;
+          again = true;
+          map_.vertices[v] = begin_[v];
+        }
+      }
+      for (std::size_t slot = 0; slot < flat.size(); ++slot)
+        if (undone[map_.ring[slot]]) flat[slot] = 0;
+    }
+  }
+
+ private:
+  // Corners that cross or coincide.
+  bool is_tangled(int cell) const {
+    Ring ring;
+    for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot)
+      if (!flat_[slot]) ring.push_back(map_.at(slot));
+    bool convex = true;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
+      if (length(b - a) < kTouching * half_side_) return true;
+      convex &= cross(b - a, c - b) >= 0;
+    }
+    return !(convex && ring.size() == 4) && !is_simple(ring);
+  }
+
+  // How far a vertex gives way. Those on frontiers little: a slide around a corner of the drawing would cut it off.
+  double mobility(int vertex) const {
+    switch (t_.freedom[vertex]) {
+      case Freedom::kFree: return 0.5;
+      case Freedom::kFrontier: return 0.15;
+      case Freedom::kBorder: return 0.5;
+      case Freedom::kFixed: break;
+    }
+    return 0;
+  }
+
+  void move(int vertex, Point by) {
+    const Point n = t_.normal[vertex];
+    Point& p = map_.vertices[vertex];
+    p += by - dot(by, n) * n;
+    if (t_.freedom[vertex] != Freedom::kFrontier) return;
+    const Point way = p - begin_[vertex];
+    const double farthest = kSlide * half_side_;
+    if (length(way) > farthest) p = begin_[vertex] + (farthest / length(way)) * way;
+  }
+
+  void straighten(int cell, int slot) {
+    const int v = map_.ring[slot];
+    // On a frontier the drawing rules, not the straight line.
+    if (t_.freedom[v] != Freedom::kFree) return;
+    const int a = map_.ring[map_.previous(cell, slot)], b = map_.ring[map_.next(cell, slot)];
+    const Point p = map_.vertices[v], pa = map_.vertices[a], pb = map_.vertices[b];
+    const Point way = pb - pa;
+    const double size2 = dot(way, way);
+    if (size2 < 1e-12) return;
+    const double off = cross(way, p - pa);  // positive: hollow, clockwise rings with y down
+    if (!flat_[slot] && off <= 0) return;
+    const double along = std::clamp(dot(p - pa, way) / size2, kMargin, 1 - kMargin);
+    const Point error = p - (pa + along * way);
+    const double wa = mobility(a) * (1 - along), wb = mobility(b) * along;
+    const double total = 1 + wa * (1 - along) + wb * along;
+    move(v, (-1 / total) * error);
+    move(a, (wa / total) * error);
+    move(b, (wb / total) * error);
+  }
+
+  Tessellation& t_;
+  PlanarMap& map_;
+  const std::vector<char>& flat_;
+  const std::vector<Point> begin_;
+  const double half_side_;
+};
+
+}  // namespace
+
+void relax(Tessellation& t, std::vector<char>& flat, const Fields& fields) {
+  Relaxer relaxer(t, flat, fields.half_side);
+  for (int i = 0; i < kRounds; ++i) {
+    relaxer.round(i < kRounds / 2 ? 0.2 : 0);
+    if (i == kRounds / 2) relaxer.back_to_frontier(fields.zones);
+  }
+  relaxer.back_to_frontier(fields.zones);
+  relaxer.untangle(flat);
+}
+
+}  // namespace tessera::pavement

@@ -1,0 +1,87 @@
+#include "tessera/pavement/run.h"
+
+#include <cmath>
+
+#include "tessera/pavement/diagram.h"
+#include "tessera/pavement/fields.h"
+#include "tessera/pavement/match_corners.h"
+#include "tessera/pavement/paper_stones.h"
+#include "tessera/pavement/place_vertices.h"
+#include "tessera/pavement/relax.h"
+#include "tessera/pavement/sites.h"
+#include "tessera/pavement/stones.h"
+
+namespace tessera::pavement {
+namespace {
+
+// Cells to polygons (III.C): rings in pixels of the diagram, one a cell.
+std::vector<Ring> extract_stones(const Diagram& diagram, const Fields& fields, const Params& params,
+                                 std::vector<int>& vertices_before) {
+  if (params.method == Method::kPaper) {
+    PaperStones stones = paper_stones(diagram, fields, params);
+    vertices_before = std::move(stones.vertices_before);
+    return std::move(stones.rings);
+  }
+  Tessellation tessellation = place_vertices(diagram, fields);
+  for (int cell = 0; cell < tessellation.cells(); ++cell) vertices_before.push_back(tessellation.map.corners(cell));
+  std::vector<char> flat = match_corners(tessellation, fields.half_side);
+  relax(tessellation, flat, fields);
+  return separate_stones(tessellation, flat, params, fields.half_side);
+}
+
+// Source pixels, grout, colour; stones without area are left out.
+void lay_stones(std::vector<Ring> rings, const std::vector<int>& vertices_before, const Diagram& diagram,
+                const Fields& fields, const Params& params, Output& output) {
+  constexpr double kLeastArea = 0.01;  // px^2
+  for (std::size_t cell = 0; cell < rings.size(); ++cell) {
+    Ring& ring = rings[cell];
+    for (Point& p : ring) p = (1 / fields.scale) * p;
+    shrink(ring, params.grout, params.half_side);
+    const double size = std::fabs(signed_area(ring));
+    if (ring.size() < 3 || size < kLeastArea) continue;
+    output.vertices_before.push_back(vertices_before[cell]);
+    output.vertices_after.push_back(static_cast<int>(ring.size()));
+    output.areas.push_back(size);
+    const int id = static_cast<int>(output.sheet.pieces.size()) + 1;
+    output.sheet.pieces.push_back({id, {std::move(ring), {}}, fields.zones.palette[diagram.cell_zone[cell]]});
+  }
+}
+
+}  // namespace
+
+Result<Output> run(const ImageView& drawing, const Params& requested, std::uint64_t seed, Rasterizer& rasterizer,
+                   const RunContext& context, const IterationObserver& observer) {
+  if (drawing.width < 1 || drawing.height < 1)
+    return fail(StatusCode::kInvalidInput, "drawing", "has no pixels; expected at least 1 x 1");
+
+  Params params = requested;
+  params.half_side = half_side_of({drawing.width, drawing.height}, requested);
+
+  context.stage("fields");
+  const Fields fields = make_fields(drawing, params);
+  context.progress(0.08);
+
+  context.stage("diagram");
+  Output output;
+  output.sites = static_cast<int>(std::lround(drawing.width * (drawing.height / (4 * params.half_side * params.half_side))));  // Eq. 1
+  Result<Diagram> diagram =
+      relax_diagram(first_sites(fields, params, seed), fields, params, seed, rasterizer, context, observer);
+  if (!diagram) return tl::unexpected(diagram.error());
+  output.reseeded = diagram->reseeded;
+
+  context.stage("stones");
+  std::vector<int> vertices_before;
+  std::vector<Ring> rings = extract_stones(*diagram, fields, params, vertices_before);
+  if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
+  output.sheet.kind = "stone";
+  output.sheet.layer = "stones";
+  output.sheet.width = drawing.width;
+  output.sheet.height = drawing.height;
+  output.sheet.width_mm = params.width_mm;
+  output.sheet.grout = {150, 146, 138};
+  lay_stones(std::move(rings), vertices_before, *diagram, fields, params, output);
+  context.progress(1);
+  return output;
+}
+
+}  // namespace tessera::pavement

@@ -1,0 +1,103 @@
+#include "tessera/pavement/stones.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tessera/base/portable_math.h"
+
+namespace tessera::pavement {
+namespace {
+
+constexpr double kTinySide = 0.2;      // of h
+constexpr double kWideLoss = 0.08;     // of a stone's area: what cutting off a wide corner may cost
+
+Point before(const Ring& ring, std::size_t i) { return ring[i > 0 ? i - 1 : ring.size() - 1]; }
+Point after(const Ring& ring, std::size_t i) { return ring[i + 1 < ring.size() ? i + 1 : 0]; }
+
+// Twice the area of the corner's triangle; negative for a hollow corner.
+double corner_area2(const Ring& ring, std::size_t i) {
+  return cross(ring[i] - before(ring, i), after(ring, i) - ring[i]);
+}
+
+// Cosine of the inner angle.
+double corner_cosine(const Ring& ring, std::size_t i) {
+  const Point a = before(ring, i) - ring[i], b = after(ring, i) - ring[i];
+  const double size = length(a) * length(b);
+  return size > 0 ? dot(a, b) / size : -1;
+}
+
+// Drops the corner that costs least, again and again, while `may_drop(corner, area of its triangle)`.
+template <class MayDrop>
+void drop_corners(Ring& ring, const MayDrop& may_drop) {
+  while (ring.size() > 4) {
+    double least = 1e30;
+    std::size_t worst = ring.size();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const double area = 0.5 * corner_area2(ring, i);
+      if (may_drop(i, area) && std::fabs(area) < least) {
+        least = std::fabs(area);
+        worst = i;
+      }
+    }
+    if (worst == ring.size()) return;
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(worst));
+  }
+}
+
+void drop_tiny_sides(Ring& ring, double shortest) {
+  drop_corners(ring, [&](std::size_t i, double area) {
+    const double side = std::min(length(after(ring, i) - ring[i]), length(before(ring, i) - ring[i]));
+    return side < shortest && area >= 0;
+  });
+}
+
+void drop_wide_corners(Ring& ring, double widest_deg) {
+  const double cosine = sin_cos(widest_deg * kPi / 180).cos;
+  const double whole = std::fabs(signed_area(ring));
+  drop_corners(ring, [&](std::size_t i, double area) {
+    return area >= -1e-9 * whole && area <= kWideLoss * whole && corner_cosine(ring, i) <= cosine;
+  });
+}
+
+// What is left where a frontier folds upon itself within a pixel or two: corners around their middle, in order.
+void unfold(Ring& ring) {
+  Point middle;
+  for (const Point p : ring) middle += (1.0 / static_cast<double>(ring.size())) * p;
+  std::stable_sort(ring.begin(), ring.end(), [&](Point p, Point q) {
+    return atan2_portable(p.y - middle.y, p.x - middle.x) < atan2_portable(q.y - middle.y, q.x - middle.x);
+  });
+}
+
+}  // namespace
+
+std::vector<Ring> separate_stones(const Tessellation& t, const std::vector<char>& flat, const Params& params,
+                                  double half_side) {
+  std::vector<Ring> stones(t.cells());
+  for (int cell = 0; cell < t.cells(); ++cell) {
+    Ring& ring = stones[cell];
+    for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot)
+      if (!flat[slot]) ring.push_back(t.map.at(slot));
+    drop_tiny_sides(ring, kTinySide * half_side);
+    drop_wide_corners(ring, params.wide_angle);
+    if (!is_simple(ring)) unfold(ring);
+  }
+  return stones;
+}
+
+void shrink(Ring& ring, double grout, double half_side) {
+  const double girth = perimeter(ring);
+  if (girth <= 0) return;
+  // Half the width of a stone, as that of a square with its area and perimeter.
+  const double half_width = 2 * std::fabs(signed_area(ring)) / girth;
+  const double by = 0.5 * grout * std::min(1.0, half_width / (0.75 * half_side));
+  const Point centre = centroid(ring);
+  const Ring whole = ring;
+  for (Point& p : ring) {
+    const Point way = centre - p;
+    const double size = length(way);
+    if (size > 0) p += (std::min(by, 0.45 * size) / size) * way;
+  }
+  if (!is_simple(ring)) ring = whole;  // a hollow stone's centre may lie outside it
+}
+
+}  // namespace tessera::pavement

@@ -1,0 +1,30 @@
+// Lloyd iterations on a label map: centroids, and how a run may be watched.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "tessera/voronoi/rasterizer.h"
+
+namespace tessera {
+
+// Sees the diagram after each labelling; the references are valid during the call only. `scale` is the number of
+// diagram pixels a source pixel.
+using IterationObserver =
+    std::function<void(int iteration, double scale, const Sites& sites, const LabelMap& labels)>;
+
+// Sums over the pixels of a cell, exact, so that they do not depend on the order of summation.
+struct CellMoments {
+  std::int64_t count = 0;  // pixels
+  std::int64_t sum_x = 0;  // of pixel indices; a centre is half a pixel further
+  std::int64_t sum_y = 0;
+
+  double centroid_x() const { return static_cast<double>(sum_x) / static_cast<double>(count) + 0.5; }
+  double centroid_y() const { return static_cast<double>(sum_y) / static_cast<double>(count) + 0.5; }
+};
+
+// One entry a site; an empty cell has count 0. `labels` holds values of -1 (ignored) to cells - 1.
+std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells);
+
+}  // namespace tessera

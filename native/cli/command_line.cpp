@@ -1,0 +1,200 @@
+#include "tessera/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <list>
+#include <map>
+#include <optional>
+
+#include "tessera/cli/flags.h"
+#include "tessera/cli/messages.h"
+#include "tessera/job/techniques.h"
+
+namespace tessera {
+namespace {
+
+constexpr const char* kInputsFooter =
+    "Pictures are PNG, JPEG, WebP, TIFF or BMP; - is standard input.\n"
+    "Exit status: 0 done, 1 a fault of ours, 2 wrong usage or parameter, 3 an input that cannot be used, 4 an output "
+    "that\ncannot be written, 124 out of time, 130 interrupted.";
+constexpr const char* kJobFooter =
+    "A relative path of a picture in the job is looked for beside the job's file first, then in the current "
+    "folder.\n";
+
+// The flags that every command shares which runs a job.
+class SettingFlags {
+ public:
+  SettingFlags(CLI::App& command, const std::vector<std::string>& formats)
+      : common_(command, kGroup, setting_flags()) {
+    const auto add = [&](const char* flags, auto& target, const char* type, const std::string& help) {
+      return command.add_option(flags, target, help)->type_name(type)->group(kGroup);
+    };
+    std::vector<std::string> extensions;
+    for (const std::string& format : formats) extensions.push_back("." + format);
+    const std::string kinds = extensions.empty() ? "" : ": " + either_of(extensions);
+    add("-o,--output", settings_.outputs, "FILE",
+        "Where the result goes, its kind follows the extension" + kinds +
+            "; several are allowed, - is standard output")
+        ->allow_extra_args(false)
+        ->take_all();
+    add("--format", settings_.format, "KIND", "Kind of an output whose name has no extension, as -");
+    add("--report", settings_.report, "FILE", "Write times, counts and checksums as JSON");
+    add("--save-job", settings_.save_job, "FILE", "Write the job as JSON, for tessera run");
+    add("--plots", settings_.plots, "FOLDER", "Write the paper's histograms as SVG");
+    command.add_flag("--quiet", settings_.quiet, "Neither bar nor warnings")->group(kGroup);
+  }
+
+  Settings read(Problems& problems) const {
+    Settings settings = settings_;
+    read_settings(common_.given(), settings, problems);
+    return settings;
+  }
+
+  void name_flags(Problems& problems) const { common_.name_flags(problems); }
+
+ private:
+  static constexpr const char* kGroup = "Run";
+  Settings settings_;
+  ParameterFlags common_;
+};
+
+std::vector<Parameter> select(const std::vector<Parameter>& all, bool advanced) {
+  std::vector<Parameter> selected;
+  for (const Parameter& parameter : all) {
+    if (parameter.info.advanced == advanced) selected.push_back(parameter);
+  }
+  return selected;
+}
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  return result;
+}
+
+// `tessera pave`: a technique with its inputs and parameters.
+class TechniqueCommand {
+ public:
+  TechniqueCommand(CLI::App& app, const Technique& technique)
+      : technique_(technique),
+        app_(*app.add_subcommand(std::string(technique.command), std::string(technique.help))),
+        main_(app_, "Parameters", select(parameters_of(technique.defaults), false)),
+        advanced_(app_, "More parameters", select(parameters_of(technique.defaults), true)),
+        run_(app_, technique.formats) {
+    for (const InputRole& role : technique.inputs) {
+      app_.add_option(upper(role.name), inputs_[std::string(role.name)], std::string(role.help))
+          ->required()
+          ->type_name("FILE");
+    }
+    app_.footer(kInputsFooter);
+  }
+
+  bool chosen() const { return app_.parsed(); }
+
+  RunNewJob read(Problems& problems) const {
+    RunNewJob command;
+    command.settings = run_.read(problems);
+    command.job.inputs = inputs_;
+    command.job.params = technique_.defaults;
+    Json given = main_.given();
+    given.update(advanced_.given());
+    read_params(given, command.job.params, problems);
+    for (const ParameterFlags* flags : {&main_, &advanced_}) flags->name_flags(problems);
+    run_.name_flags(problems);
+    return command;
+  }
+
+ private:
+  const Technique& technique_;
+  CLI::App& app_;
+  std::map<std::string, std::string> inputs_;
+  ParameterFlags main_, advanced_;
+  SettingFlags run_;
+};
+
+// `tessera run`
+class SavedJobCommand {
+ public:
+  explicit SavedJobCommand(CLI::App& app)
+      : app_(*app.add_subcommand("run", "Run a saved job again, or the job inside an SVG")), run_(app_, {}) {
+    app_.add_option("JOB", command_.path, "A job's JSON, or an SVG that tessera made")->required()->type_name("FILE");
+    app_.add_option("--set", command_.changes, "Change a parameter, an input or the seed")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
+    app_.footer(std::string(kJobFooter) + kInputsFooter);
+  }
+
+  bool chosen() const { return app_.parsed(); }
+
+  RunSavedJob read(Problems& problems) const {
+    RunSavedJob command = command_;
+    command.settings = run_.read(problems);
+    run_.name_flags(problems);
+    return command;
+  }
+
+ private:
+  CLI::App& app_;
+  RunSavedJob command_;
+  SettingFlags run_;
+};
+
+// `tessera schema`
+class SchemaCommand {
+ public:
+  explicit SchemaCommand(CLI::App& app)
+      : app_(*app.add_subcommand("schema", "Print the parameters as JSON Schema, or as Markdown")) {
+    app_.add_option("TECHNIQUE", command_.technique, "Its parameters only")->type_name("NAME");
+    app_.add_flag("--markdown", command_.markdown, "The reference of all parameters");
+  }
+
+  bool chosen() const { return app_.parsed(); }
+  PrintSchema read() const { return command_; }
+
+ private:
+  CLI::App& app_;
+  PrintSchema command_;
+};
+
+Status no_command(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return {StatusCode::kInvalidParameter, "", "there is no command, expected " + either_of(names) + " (see --help)"};
+}
+
+}  // namespace
+
+tl::expected<Command, int> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("Tessera turns pictures into pieces.", "tessera");
+  app.set_version_flag("--version", "tessera " TESSERA_VERSION);
+  app.get_formatter()->column_width(28);
+  app.require_subcommand(0, 1);
+  std::list<TechniqueCommand> makers;
+  for (const Technique& technique : techniques()) makers.emplace_back(app, technique);
+  const SavedJobCommand run(app);
+  const SchemaCommand schema(app);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    return tl::unexpected<int>(app.exit(done));
+  } catch (const CLI::ParseError& error) {
+    print_message(std::string(error.what()) + " (see --help)");
+    return tl::unexpected<int>(kExitUsage);
+  }
+
+  Problems problems;
+  std::optional<Command> command;
+  for (const TechniqueCommand& maker : makers) {
+    if (maker.chosen()) command = maker.read(problems);
+  }
+  if (run.chosen()) command = run.read(problems);
+  if (schema.chosen()) command = schema.read();
+  if (!command) problems.push_back(no_command(app));
+  if (!problems.empty()) return tl::unexpected<int>(print_problems(problems));
+  return *std::move(command);
+}
+
+}  // namespace tessera

@@ -1,0 +1,75 @@
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <opencv2/core/utility.hpp>
+
+#include "tessera/cli/command_line.h"
+#include "tessera/cli/messages.h"
+#include "tessera/cli/run_command.h"
+#include "tessera/cli/saved_job.h"
+#include "tessera/cli/signals.h"
+#include "tessera/io/atomic_file.h"
+#include "tessera/job/reference.h"
+
+namespace tessera {
+namespace {
+
+void prepare(const Settings& settings) {
+  if (settings.threads > 0) cv::setNumThreads(settings.threads);
+  if (settings.timeout_s > 0) set_time_limit(settings.timeout_s);
+}
+
+int execute(const RunNewJob& command) {
+  prepare(command.settings);
+  return run_and_write(command.job, command.settings, "");
+}
+
+int execute(const RunSavedJob& command) {
+  prepare(command.settings);
+  const auto job = load_job(command.path, command.changes);
+  if (!job) {
+    return print_problems(stop_reason() == StopReason::kNone ? job.error() : Problems{stop_status()});
+  }
+  return run_and_write(*job, command.settings, std::filesystem::path(command.path).parent_path().string());
+}
+
+int print_to_stdout(const std::string& text) {
+  AtomicFiles output;
+  auto done = output.add("-", text).and_then([&] { return output.commit(); });
+  return done ? kExitDone : print_problems({std::move(done.error())});
+}
+
+int execute(const PrintSchema& command) {
+  if (command.markdown) return print_to_stdout(parameter_reference());
+  if (command.technique.empty()) return print_to_stdout(job_schema().dump(2) + "\n");
+  std::vector<std::string> names;
+  for (const Technique& technique : techniques()) {
+    if (command.technique == technique.name || command.technique == technique.command) {
+      return print_to_stdout(params_schema(technique).dump(2) + "\n");
+    }
+    names.emplace_back(technique.name);
+  }
+  return print_problems(
+      {{StatusCode::kInvalidParameter, command.technique, "is no technique, expected " + either_of(names)}});
+}
+
+int main_of(int argc, const char* const* argv) {
+  install_signal_handlers();
+  const auto command = parse_command_line(argc, argv);
+  if (!command) return command.error();
+  return std::visit([](const auto& c) { return execute(c); }, *command);
+}
+
+}  // namespace
+}  // namespace tessera
+
+int main(int argc, char** argv) {
+  try {
+    return tessera::main_of(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return tessera::print_problems({{tessera::StatusCode::kInternal, "", "out of memory"}});
+  } catch (const std::exception& error) {
+    return tessera::print_problems(
+        {{tessera::StatusCode::kInternal, "", std::string("a fault of ours: ") + error.what()}});
+  }
+}

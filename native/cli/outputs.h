@@ -1,0 +1,28 @@
+// Where the results of a run go.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tessera/cli/settings.h"
+#include "tessera/io/atomic_file.h"
+#include "tessera/job/job.h"
+
+namespace tessera {
+
+// The kinds that the outputs ask for, one a path and in their order. Adds a problem for each path without a kind that
+// the job's technique has, for a path named twice, and where there is no output at all.
+std::vector<std::string> plan_formats(const Settings& settings, const Job& job, Problems& problems);
+
+struct WrittenFile {
+  std::string path;
+  std::size_t bytes = 0;
+  std::string sha256;  // empty where it was not asked for
+};
+
+// Hands everything but the report to `files`, in the order: outputs, plots, job.
+Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const Job& job, const JobResult& result,
+                                               AtomicFiles& files);
+
+}  // namespace tessera

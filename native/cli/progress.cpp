@@ -1,0 +1,54 @@
+#include "tessera/cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace tessera {
+namespace {
+
+constexpr int kWidth = 24;
+constexpr std::chrono::milliseconds kBetweenDrawings{100};
+
+std::string time_left(double elapsed_s, double fraction) {
+  constexpr double kTooEarly = 0.02;
+  if (fraction < kTooEarly) return "";
+  const int seconds = static_cast<int>(elapsed_s * (1 - fraction) / fraction + 0.5);
+  return seconds < 60 ? fmt::format(", {} s left", seconds)
+                      : fmt::format(", {}:{:02} left", seconds / 60, seconds % 60);
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar(ProgressMode mode)
+    : shown_(mode == ProgressMode::kAlways || (mode == ProgressMode::kAuto && isatty(STDERR_FILENO))) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::stage(std::string_view name) {
+  stage_ = name;
+  draw();
+}
+
+void ProgressBar::progress(double fraction) {
+  fraction_ = fraction;
+  if (Clock::now() - drawn_ >= kBetweenDrawings) draw();
+}
+
+void ProgressBar::clear() {
+  if (on_screen_) std::fputs("\r\x1B[K", stderr);
+  on_screen_ = false;
+}
+
+void ProgressBar::draw() {
+  if (!shown_) return;
+  drawn_ = Clock::now();
+  const double elapsed = std::chrono::duration<double>(drawn_ - start_).count();
+  const auto filled = static_cast<std::size_t>(fraction_ * kWidth);
+  fmt::print(stderr, "\r[{:<{}}] {:3.0f}% {}{}\x1B[K", std::string(filled, '#'), kWidth, 100 * fraction_, stage_,
+             time_left(elapsed, fraction_));
+  on_screen_ = true;
+}
+
+}  // namespace tessera

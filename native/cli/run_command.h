@@ -1,0 +1,15 @@
+// A job from its pictures to its files.
+#pragma once
+
+#include <string>
+
+#include "tessera/cli/settings.h"
+#include "tessera/job/job.h"
+
+namespace tessera {
+
+// Runs the job and writes what the settings ask for; relative inputs are looked for in `folder` first (empty: none).
+// The exit status; problems have been printed, and nothing is left behind by a run that failed.
+int run_and_write(Job job, const Settings& settings, const std::string& folder);
+
+}  // namespace tessera

@@ -1,0 +1,39 @@
+// One decoder a kind of file, and what they share.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "tessera/base/status.h"
+#include "tessera/io/picture.h"
+
+namespace tessera {
+
+using Bytes = std::span<const std::uint8_t>;
+
+// A picture as it is stored, and EXIF's orientation: 1 to 8, 1 is upright.
+struct Decoded {
+  Picture picture;
+  int orientation = 1;
+};
+
+Result<Decoded> decode_png(Bytes file, std::uint64_t max_pixels);
+Result<Decoded> decode_jpeg(Bytes file, std::uint64_t max_pixels);
+Result<Decoded> decode_webp(Bytes file, std::uint64_t max_pixels);
+Result<Decoded> decode_tiff(Bytes file, std::uint64_t max_pixels);
+Result<Decoded> decode_bmp(Bytes file, std::uint64_t max_pixels);
+
+// kInvalidInput for no pixels and for too many.
+Result<void> check_size(std::uint64_t width, std::uint64_t height, std::uint64_t max_pixels);
+// "is a damaged PNG (IDAT: CRC error)".
+tl::unexpected<Status> damaged(std::string_view kind, std::string_view reason);
+
+// An uninitialised picture of a size that passed check_size, with `channels` bytes a pixel.
+Picture make_picture(std::uint64_t width, std::uint64_t height, int channels);
+enum class Alpha { kStraight, kPremultiplied };
+// Lays the RGBA pixels in `picture` over white and closes the gaps: RGB remains.
+void lay_over_white(Picture& picture, Alpha alpha);
+
+}  // namespace tessera

@@ -1,0 +1,107 @@
+"""THIRD_PARTY.md names every library that is looked for, included or installed, and permissive licences only."""
+import pathlib
+import re
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PERMISSIVE = {'Apache-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'BSL-1.0', 'CC0-1.0', 'IJG', 'ISC', 'MIT', 'Zlib', 'libpng-2.0',
+              'libtiff'}
+CMAKE_OWN = {'PkgConfig', 'Python3'}  # tools rather than libraries
+SYSTEM_HEADERS = re.compile(r'sys/.*|unistd\.h|fcntl\.h')
+OWN_CMAKE_MODULES = re.compile(r'Find\w+\.cmake')
+
+FOUND = re.compile(r'\bfind_package\(\s*([\w-]+)')
+MODULES = re.compile(r'\bpkg_check_modules\(\s*\w+((?:\s+[\w.-]+)+)')
+LIBRARY = re.compile(r'\bfind_library\(\s*\w+\s+(?:NAMES\s+)?([\w-]+)')
+HEADER = re.compile(r'\bfind_path\(\s*\w+\s+([\w./-]+)')
+INCLUDE = re.compile(r'^\s*#\s*include\s*<([^>]+)>', re.MULTILINE)
+
+
+def stem(header):
+    """opencv2/core.hpp -> opencv2, zlib.h -> zlib.h"""
+    return header.split('/')[0]
+
+
+def asked_by_cmake(text):
+    text = re.sub(r'#[^\n]*', '', text)
+    words = {word for modules in MODULES.findall(text) for word in modules.split()} - {'REQUIRED', 'IMPORTED_TARGET'}
+    return words | (set(FOUND.findall(text)) - CMAKE_OWN) | set(LIBRARY.findall(text)) | {
+        stem(header) for header in HEADER.findall(text)}
+
+
+def asked_by_code(text):
+    """Headers of the standard library have neither folder nor extension."""
+    return {stem(header) for header in INCLUDE.findall(text)
+            if re.search(r'[./]', header) and not SYSTEM_HEADERS.fullmatch(header)}
+
+
+def files(*endings):
+    for folder in ['cmake', 'core', 'native', 'tests', 'bench']:
+        yield from (path for path in sorted((ROOT / folder).rglob('*')) if path.name.endswith(endings))
+
+
+def asked_by_tree():
+    asked = asked_by_cmake((ROOT / 'CMakeLists.txt').read_text(encoding='utf-8'))
+    for path in files('CMakeLists.txt', '.cmake'):
+        if not OWN_CMAKE_MODULES.fullmatch(path.name):
+            asked |= asked_by_cmake(path.read_text(encoding='utf-8'))
+    for path in files('.h', '.cpp'):
+        asked |= asked_by_code(path.read_text(encoding='utf-8'))
+    return asked
+
+
+def tables(text):
+    """Rows of the tables as {column: cell}."""
+    rows, columns = [], None
+    for line in text.splitlines():
+        if not line.startswith('|'):
+            columns = None
+            continue
+        cells = [cell.strip() for cell in line.strip('|').split('|')]
+        if columns is None:
+            columns = cells
+        elif not set(line) <= set('|-'):
+            rows.append(dict(zip(columns, cells, strict=True)))
+    return rows
+
+
+def words_in(rows, column):
+    return {word for row in rows for word in re.findall(r'`([^`]+)`', row.get(column, ''))}
+
+
+def installed_packages():
+    setup = (ROOT / 'scripts/setup').read_text(encoding='utf-8')
+    return set(re.search(r'^packages=\((.*?)\)', setup, re.MULTILINE | re.DOTALL)[1].split())
+
+
+class ThirdParty(unittest.TestCase):
+    def setUp(self):
+        self.rows = tables((ROOT / 'THIRD_PARTY.md').read_text(encoding='utf-8'))
+
+    def test_names_what_is_asked_for_and_nothing_else(self):
+        self.assertEqual(words_in(self.rows, 'Found as'), asked_by_tree())
+
+    def test_names_what_is_installed_and_nothing_else(self):
+        self.assertEqual(words_in(self.rows, 'Packages'), installed_packages())
+
+    def test_licences_are_permissive(self):
+        libraries = [row for row in self.rows if 'Library' in row]
+        self.assertTrue(libraries)
+        for row in libraries:
+            self.assertTrue(row['Version'] and row['What for'], row['Library'])
+            self.assertLessEqual(set(row['Licence'].split(', ')), PERMISSIVE, row['Library'])
+
+
+class TheSearch(unittest.TestCase):
+    def test_finds_what_is_asked_for(self):
+        self.assertEqual(
+            asked_by_cmake('find_package(Foo 3 REQUIRED)  # find_package(None)\nfind_package(Python3)\n'
+                           'pkg_check_modules(X REQUIRED IMPORTED_TARGET libbar baz-4)\n'
+                           'find_library(Y qux)\nfind_path(Z quux/a.h)'),
+            {'Foo', 'libbar', 'baz-4', 'qux', 'quux'})
+        self.assertEqual(asked_by_code('#include <vector>\n#include <foo/bar.h>\n  # include <baz.h>\n#include <sys/stat.h>'),
+                         {'foo', 'baz.h'})
+
+
+if __name__ == '__main__':
+    unittest.main()
