@@ -134,6 +134,16 @@ Zones black_and_white(const cv::Mat3b& drawing, double threshold) {
   return zones;
 }
 
+double threshold_for_share(const cv::Mat3b& drawing, double share) {
+  cv::Mat1b grey;
+  cv::cvtColor(drawing, grey, cv::COLOR_RGB2GRAY);
+  const std::array<double, 256> histogram = histogram_of(grey);
+  double below = 0;
+  int level = 0;
+  while (level < 255 && below + histogram[level] <= share * static_cast<double>(grey.total())) below += histogram[level++];
+  return std::max(1, level) / 255.0;
+}
+
 namespace {
 
 cv::Mat1f centres_of(const cv::Mat3f& lab, int colors) {

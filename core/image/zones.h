@@ -27,6 +27,9 @@ struct Zones {
 // classes it makes (an anti-aliased drawing has a plateau of equally good thresholds; the middle is the edge).
 Zones black_and_white(const cv::Mat3b& drawing, double threshold);
 
+// The threshold (0..1) below which the given share (0..1) of the drawing's pixels lies, to a grey level.
+double threshold_for_share(const cv::Mat3b& drawing, double share);
+
 // `colors` zones: k-means in Lab from well-spread first centres, without random numbers; pixels that only blend two
 // neighbouring zones (anti-aliasing) go to the nearer of the two.
 Zones colour_zones(const cv::Mat3b& drawing, int colors);

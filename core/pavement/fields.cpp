@@ -28,12 +28,25 @@ int thin_pixels(const cv::Mat1b& zones, int count, int diameter) {
 }
 
 // Lines one or two pixels wide are all staircase; twice the pixels give them a width and a direction.
-int choose_supersample(const cv::Mat3b& drawing, const Params& params) {
+int choose_supersample(const Zones& zones, const Params& params) {
   if (params.supersample > 0) return params.supersample;
   constexpr double kThinShare = 0.002;
-  const Zones zones = make_zones(drawing, params);
   const int thin = thin_pixels(zones.map, static_cast<int>(zones.palette.size()), 3);
   return thin > kThinShare * static_cast<double>(zones.map.total()) ? 2 : 1;
+}
+
+// The drawing with `scale` pixels a pixel, and its zones. Smoothing would widen or narrow hairlines, so black keeps its
+// share of the picture instead of the threshold its level.
+Zones supersampled_zones(const cv::Mat3b& drawing, const Zones& zones, int scale, const Params& params) {
+  cv::Mat3b scaled;
+  cv::GaussianBlur(drawing, scaled, {5, 5}, 0.8, 0.8, cv::BORDER_REPLICATE);
+  cv::resize(scaled, scaled, {}, scale, scale, cv::INTER_CUBIC);
+  Params same_share = params;
+  if (params.colors == 2) {
+    const double black = 1 - cv::sum(zones.map)[0] / static_cast<double>(zones.map.total());
+    same_share.threshold = threshold_for_share(scaled, black);
+  }
+  return make_zones(scaled, same_share);
 }
 
 }  // namespace
@@ -114,17 +127,12 @@ double half_length(double half_width, double half_side) {
 }
 
 Fields make_fields(const ImageView& drawing, const Params& params) {
-  const cv::Mat3b source = drawing.mat();
   Fields fields;
-  const int scale = choose_supersample(source, params);
+  fields.zones = make_zones(drawing.mat(), params);
+  const int scale = choose_supersample(fields.zones, params);
+  if (scale > 1) fields.zones = supersampled_zones(drawing.mat(), fields.zones, scale, params);
   fields.scale = scale;
   fields.half_side = params.half_side * scale;
-  cv::Mat3b scaled = source;
-  if (scale > 1) {
-    cv::GaussianBlur(source, scaled, {5, 5}, 0.8, 0.8, cv::BORDER_REPLICATE);
-    cv::resize(scaled, scaled, {}, scale, scale, cv::INTER_CUBIC);
-  }
-  fields.zones = make_zones(scaled, params);
   fields.distance = params.distance == Distance::kExact ? exact_distance(fields.zones.map)
                                                         : chamfer_distance(fields.zones.map);
   return fields;

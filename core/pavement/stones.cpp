@@ -8,8 +8,8 @@
 namespace tessera::pavement {
 namespace {
 
-constexpr double kTinySide = 0.2;      // of h
-constexpr double kWideLoss = 0.08;     // of a stone's area: what cutting off a wide corner may cost
+constexpr double kTinySide = 0.2;     // of h
+constexpr double kCornerLoss = 0.06;  // of a stone's area: what cutting off a corner may cost
 
 Point before(const Ring& ring, std::size_t i) { return ring[i > 0 ? i - 1 : ring.size() - 1]; }
 Point after(const Ring& ring, std::size_t i) { return ring[i + 1 < ring.size() ? i + 1 : 0]; }
@@ -45,9 +45,10 @@ void drop_corners(Ring& ring, const MayDrop& may_drop) {
 }
 
 void drop_tiny_sides(Ring& ring, double shortest) {
+  const double whole = std::fabs(signed_area(ring));
   drop_corners(ring, [&](std::size_t i, double area) {
     const double side = std::min(length(after(ring, i) - ring[i]), length(before(ring, i) - ring[i]));
-    return side < shortest && area >= 0;
+    return side < shortest && area >= 0 && area <= kCornerLoss * whole;
   });
 }
 
@@ -55,7 +56,7 @@ void drop_wide_corners(Ring& ring, double widest_deg) {
   const double cosine = sin_cos(widest_deg * kPi / 180).cos;
   const double whole = std::fabs(signed_area(ring));
   drop_corners(ring, [&](std::size_t i, double area) {
-    return area >= -1e-9 * whole && area <= kWideLoss * whole && corner_cosine(ring, i) <= cosine;
+    return area >= -1e-9 * whole && area <= kCornerLoss * whole && corner_cosine(ring, i) <= cosine;
   });
 }
 
@@ -89,13 +90,14 @@ void shrink(Ring& ring, double grout, double half_side) {
   if (girth <= 0) return;
   // Half the width of a stone, as that of a square with its area and perimeter.
   const double half_width = 2 * std::fabs(signed_area(ring)) / girth;
-  const double by = 0.5 * grout * std::min(1.0, half_width / (0.75 * half_side));
+  const double size = std::min(1.0, half_width / (0.75 * half_side));
+  const double by = 0.5 * grout * size * size;
   const Point centre = centroid(ring);
   const Ring whole = ring;
   for (Point& p : ring) {
     const Point way = centre - p;
-    const double size = length(way);
-    if (size > 0) p += (std::min(by, 0.45 * size) / size) * way;
+    const double distance = length(way);
+    if (distance > 0) p += (std::min(by, 0.45 * distance) / distance) * way;
   }
   if (!is_simple(ring)) ring = whole;  // a hollow stone's centre may lie outside it
 }
