@@ -34,7 +34,7 @@ double atan_unit(double t) {
   t = t / (1.0 + std::sqrt(1.0 + t * t));
   const double z = t * t;
   double s = 0;
-  for (int k = 17; k >= 1; k -= 2) s = 1.0 / k - z * s;
+  for (double c : {1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0}) s = c - z * s;
   return 4.0 * t * s;
 }
 

@@ -31,7 +31,9 @@ class Lloyd {
   // Turns a site, and near an edge moves it to lie in the row of stones along that edge.
   void settle(Site& site) const {
     const double h = fields_.half_side;
-    const double distance = at(fields_.distance, site.x, site.y);
+    // The nearest pixel tells far from near; only near ones need the distance itself.
+    const double roughly = fields_.distance_near(site.x, site.y);
+    const double distance = roughly > 1.5 * h + 1 ? roughly : at(fields_.distance, site.x, site.y);
     const double half_width = distance < kSingleRow * h ? fields_.half_width_at(site.x, site.y, 2 * h) : 2 * h;
     if (half_width < kSingleRow * h) {
       settle_in_band(site, distance, half_width);

@@ -39,6 +39,7 @@ struct Fields {
   DistanceField distance;
 
   int zone_at(double x, double y) const;
+  double distance_near(double x, double y) const;  // of the pixel at or nearest to (x, y)
   // Half the width of the zone around (x, y): the height of the distance field's ridge uphill from there; at most `cap`.
   double half_width_at(double x, double y, double cap) const;
 };

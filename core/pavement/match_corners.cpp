@@ -89,16 +89,20 @@ class Matcher {
       corner[n] = map_.at(s);
       slot_of[n++] = s;
     }
+    Point way[kLargestCell];
+    double inverse[kLargestCell];  // of the sides' lengths
+    for (int i = 0; i < n; ++i) {
+      way[i] = corner[i + 1 < n ? i + 1 : 0] - corner[i];
+      const double size = length(way[i]);
+      inverse[i] = size > 0 ? 1 / size : 0;
+    }
     double sum = 0;
     for (int i = 0; i < n; ++i) {
-      const Point p = corner[i], next = corner[(i + 1) % n], way = next - p;
-      const Point back = corner[(i + n - 1) % n] - p;
-      const double size = length(way), girth = size * length(back);
-      const double square = girth > 0 ? cross(way, back) / girth : -1;
+      const int last = i > 0 ? i - 1 : n - 1, next = i + 1 < n ? i + 1 : 0;
+      const double square = cross(way[last], way[i]) * (inverse[last] * inverse[i]);
       sum += kSquareness * (1 - square) * (1 - square);
-      const int until = slot_of[(i + 1) % n];
-      for (int s = map_.next(cell, slot_of[i]); s != until; s = map_.next(cell, s)) {
-        const double off = size > 0 ? cross(way, map_.at(s) - p) / size / h_ : 1;
+      for (int s = map_.next(cell, slot_of[i]); s != slot_of[next]; s = map_.next(cell, s)) {
+        const double off = cross(way[i], map_.at(s) - corner[i]) * (inverse[i] / h_);
         sum += off * off;
       }
     }

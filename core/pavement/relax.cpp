@@ -8,7 +8,7 @@
 namespace tessera::pavement {
 namespace {
 
-constexpr int kRounds = 40;
+constexpr int kRounds = 30;
 constexpr double kSlide = 0.35;   // of h: how far a vertex slides along a frontier
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
 constexpr double kMargin = 0.15;  // of the line between its neighbours: how near a vertex comes to either
@@ -16,14 +16,15 @@ constexpr double kMargin = 0.15;  // of the line between its neighbours: how nea
 class Relaxer {
  public:
   Relaxer(Tessellation& t, const std::vector<char>& flat, double half_side)
-      : t_(t), map_(t.map), flat_(flat), begin_(t.map.vertices), half_side_(half_side) {}
+      : t_(t), map_(t.map), flat_(flat), begin_(t.map.vertices), half_side_(half_side) {
+    list_corners();
+  }
 
   // `pull`: how strongly vertices are drawn back to where they began.
   void round(double pull) {
     for (std::size_t v = 0; v < begin_.size(); ++v)
       if (t_.freedom[v] != Freedom::kFixed) move(static_cast<int>(v), pull * (begin_[v] - map_.vertices[v]));
-    for (int cell = 0; cell < map_.cells(); ++cell)
-      for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) straighten(cell, slot);
+    for (const Corner& corner : corners_) straighten(corner);
   }
 
   // Sliding along a tangent leaves a curved frontier.
@@ -89,17 +90,31 @@ class Relaxer {
     if (length(way) > farthest) p = begin_[vertex] + (farthest / length(way)) * way;
   }
 
-  void straighten(int cell, int slot) {
-    const int v = map_.ring[slot];
-    // On a frontier the drawing rules, not the straight line.
-    if (t_.freedom[v] != Freedom::kFree) return;
-    const int a = map_.ring[map_.previous(cell, slot)], b = map_.ring[map_.next(cell, slot)];
+  // A free vertex between its neighbours in a stone's outline. On a frontier the drawing rules, not the straight line.
+  struct Corner {
+    int vertex, before, after;
+    bool flat;
+  };
+
+  void list_corners() {
+    for (int cell = 0; cell < map_.cells(); ++cell) {
+      for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
+        const int v = map_.ring[slot];
+        if (t_.freedom[v] != Freedom::kFree) continue;
+        const int before = map_.ring[map_.previous(cell, slot)], after = map_.ring[map_.next(cell, slot)];
+        corners_.push_back({v, before, after, flat_[slot] != 0});
+      }
+    }
+  }
+
+  void straighten(const Corner& corner) {
+    const int v = corner.vertex, a = corner.before, b = corner.after;
     const Point p = map_.vertices[v], pa = map_.vertices[a], pb = map_.vertices[b];
     const Point way = pb - pa;
     const double size2 = dot(way, way);
     if (size2 < 1e-12) return;
     const double off = cross(way, p - pa);  // positive: hollow, clockwise rings with y down
-    if (!flat_[slot] && off <= 0) return;
+    if (!corner.flat && off <= 0) return;
     const double along = std::clamp(dot(p - pa, way) / size2, kMargin, 1 - kMargin);
     const Point error = p - (pa + along * way);
     const double wa = mobility(a) * (1 - along), wb = mobility(b) * along;
@@ -114,6 +129,7 @@ class Relaxer {
   const std::vector<char>& flat_;
   const std::vector<Point> begin_;
   const double half_side_;
+  std::vector<Corner> corners_;
 };
 
 }  // namespace

@@ -44,6 +44,7 @@ Sites first_sites(const Fields& fields, const Params& params, std::uint64_t seed
   Rng positions(seed, RngPurpose::kSites), shapes(seed, RngPurpose::kShapes);
   const double h = fields.half_side;
   const cv::Mat1b& zones = fields.zones.map;
+  const double plain = density(h, h);
   std::array<Stratum, 256> strata;
   for (Stratum& s : strata) s.next = positions.uniform();
   Sites sites;
@@ -51,7 +52,7 @@ Sites first_sites(const Fields& fields, const Params& params, std::uint64_t seed
   const auto visit = [&](int x, int y) {
     Stratum& s = strata[zones(y, x)];
     const bool near_edge = fields.distance(y, x) < h;
-    s.filled += density(near_edge ? fields.half_width_at(x + 0.5, y + 0.5, h) : h, h);
+    s.filled += near_edge ? density(fields.half_width_at(x + 0.5, y + 0.5, h), h) : plain;
     // A thin line's pixels may hold more than one stone each.
     while (s.filled >= 1 || (!s.placed && s.filled > s.next)) {
       if (!s.placed && s.filled > s.next) {

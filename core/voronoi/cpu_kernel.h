@@ -9,7 +9,7 @@
 namespace tessera {
 
 // A tile is labelled from one list of candidates; its blocks narrow the list further.
-inline constexpr int kTileWidth = 16, kTileHeight = 16;
+inline constexpr int kTileWidth = 16, kTileHeight = 8;
 inline constexpr int kBlockWidth = 8, kBlockHeight = 4;
 
 struct KernelArguments {

@@ -1,10 +1,24 @@
 #include "tessera/voronoi/lloyd.h"
 
 #include <algorithm>
+#include <cstring>
 #include <opencv2/core/utility.hpp>
 
 namespace tessera {
 namespace {
+
+// First column from x on whose label differs from that at x. Pairs of labels are compared at a time.
+int end_of_run(const std::int32_t* row, int x, int columns) {
+  const std::int32_t label = row[x];
+  std::uint64_t pair, expected = static_cast<std::uint32_t>(label);
+  expected |= expected << 32;
+  for (++x; x + 1 < columns; x += 2) {
+    std::memcpy(&pair, row + x, sizeof pair);
+    if (pair != expected) return row[x] == label ? x + 1 : x;
+  }
+  while (x < columns && row[x] == label) ++x;
+  return x;
+}
 
 // Adds runs of equal labels, not pixels: a run from a to b of row y has its sums in closed form.
 void add_rows(const LabelMap& labels, const cv::Range& rows, std::vector<CellMoments>& moments) {
@@ -13,8 +27,7 @@ void add_rows(const LabelMap& labels, const cv::Range& rows, std::vector<CellMom
     for (int x = 0; x < labels.cols;) {
       const std::int32_t label = row[x];
       const int begin = x;
-      do ++x;
-      while (x < labels.cols && row[x] == label);
+      x = end_of_run(row, x, labels.cols);
       if (label < 0) continue;
       CellMoments& m = moments[label];
       const std::int64_t n = x - begin;
