@@ -93,7 +93,7 @@ class Bender {
       Point p{static_cast<double>(corner.x), static_cast<double>(corner.y)};
       if (arc.left >= 0 && arc.right >= 0 && t_.zone[arc.left] != t_.zone[arc.right])
         to_frontier(fields_.zones, t_.zone[arc.left], t_.zone[arc.right], 1.5, p);
-      line.push_back(p);
+      line.push_back(fields_.inside(p.x, p.y));
     }
     line.front() = t_.map.vertices[arc.from];
     line.back() = t_.map.vertices[arc.to];

@@ -104,6 +104,10 @@ int Fields::zone_at(double x, double y) const {
   return i < 0 || j < 0 || i >= zones.map.cols || j >= zones.map.rows ? -1 : zones.map(j, i);
 }
 
+Point Fields::inside(double x, double y) const {
+  return {std::clamp<double>(x, 0, zones.map.cols), std::clamp<double>(y, 0, zones.map.rows)};
+}
+
 double Fields::distance_near(double x, double y) const {
   return distance(std::clamp(static_cast<int>(y), 0, distance.rows - 1), std::clamp(static_cast<int>(x), 0, distance.cols - 1));
 }

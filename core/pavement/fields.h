@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tessera/base/run_context.h"
+#include "tessera/geometry/point.h"
 #include "tessera/image/distance_field.h"
 #include "tessera/image/image_view.h"
 #include "tessera/image/zones.h"
@@ -39,6 +40,7 @@ struct Fields {
   DistanceField distance;
 
   int zone_at(double x, double y) const;
+  Point inside(double x, double y) const;  // the point of the picture nearest to (x, y)
   double distance_near(double x, double y) const;  // of the pixel at or nearest to (x, y)
   // Half the width of the zone around (x, y): the height of the distance field's ridge uphill from there; at most `cap`.
   double half_width_at(double x, double y, double cap) const;

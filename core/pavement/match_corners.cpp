@@ -61,7 +61,7 @@ class Matcher {
         const int slot = slots[v][k];
         if (one_zone) {
           candidate_at_[slot] = 1;
-        } else if (zone(k) != zone((k + 1) % 3) && zone(k) != zone((k + 2) % 3)) {
+        } else if (zone(k) != zone((k + 1) % 3) && zone((k + 1) % 3) == zone((k + 2) % 3)) {
           flatten_on_frontier({slot, cell_of[slot], static_cast<int>(v)});
         }
       }
@@ -119,38 +119,54 @@ class Matcher {
     --spare_[c.cell];
   }
 
-  // The flat angle that improves its stone most, or harms it least; what it changes is looked at again.
+  // The flat angle that improves its stone most, or harms it least, among all stones; then that stone is looked at anew.
   void cheapest_first() {
-    struct Entry {
-      double cost;
-      int slot, version;
-      bool operator<(const Entry& other) const { return cost != other.cost ? cost > other.cost : slot > other.slot; }
-    };
-    std::priority_queue<Entry> queue;
-    std::vector<int> version(map_.cells(), 0);
-    const auto offer = [&](int cell) {
-      if (spare_[cell] == 0) return;
-      const double now = badness(cell, -1, -1);
-      for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s)
-        if (free_candidate(s) && owner_[map_.ring[s]] < 0) queue.push({badness(cell, -1, s) - now, s, version[cell]});
-    };
-    for (int cell = 0; cell < map_.cells(); ++cell) offer(cell);
-    while (!queue.empty()) {
-      const Entry e = queue.top();
-      queue.pop();
-      const int cell = cell_of_[e.slot];
-      if (e.version != version[cell] || owner_[map_.ring[e.slot]] >= 0 || e.cost > kTooFar) continue;
-      take({e.slot, cell, map_.ring[e.slot]});
-      ++version[cell];
-      offer(cell);
+    cost_.resize(map_.ring.size());
+    std::vector<Entry> entries;
+    for (int cell = 0; cell < map_.cells(); ++cell) {
+      weigh(cell);
+      if (const int slot = cheapest(cell); slot >= 0) entries.push_back({cost_[slot], slot});
     }
+    std::priority_queue<Entry> queue({}, std::move(entries));
+    while (!queue.empty()) {
+      const int slot = queue.top().slot, cell = cell_of_[slot];
+      queue.pop();
+      if (owner_[map_.ring[slot]] < 0) {
+        take({slot, cell, map_.ring[slot]});
+        weigh(cell);
+      }
+      if (const int next = cheapest(cell); next >= 0) queue.push({cost_[next], next});
+    }
+  }
+
+  // A cell's cheapest candidate; each cell has one in the queue at most.
+  struct Entry {
+    double cost;
+    int slot;
+    bool operator<(const Entry& other) const { return cost != other.cost ? cost > other.cost : slot > other.slot; }
+  };
+
+  void weigh(int cell) {
+    if (spare_[cell] == 0) return;
+    const double now = badness(cell, -1, -1);
+    for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s)
+      if (free_candidate(s)) cost_[s] = badness(cell, -1, s) - now;
+  }
+
+  int cheapest(int cell) const {
+    int best = -1;
+    if (spare_[cell] == 0) return best;
+    for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s) {
+      if (!free_candidate(s) || owner_[map_.ring[s]] >= 0 || cost_[s] > kTooFar) continue;
+      if (best < 0 || cost_[s] < cost_[best]) best = s;
+    }
+    return best;
   }
 
   // A link of a chain: `gained` becomes flat in its cell, which lost `lost` (-1 at the start) to the link before.
   struct Link {
     double cost;
     int gained, lost, before;
-    bool operator<(const Link& other) const { return cost != other.cost ? cost > other.cost : gained > other.gained; }
   };
 
   // Cheapest chain by which `start` gets one more flat angle: it takes one from a stone, which takes one from another,
@@ -210,6 +226,7 @@ class Matcher {
   std::vector<int> owner_;                 // slot at which a vertex is flat, -1: none
   std::vector<int> spare_;                 // vertices of a cell above four that are corners still
   std::vector<int> cell_of_;               // of a slot
+  std::vector<double> cost_;               // of a candidate, while its cell's flat angles stay as they are
 };
 
 }  // namespace

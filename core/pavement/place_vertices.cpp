@@ -60,6 +60,7 @@ class Placer {
     } else {
       freedom = Freedom::kFixed;  // three zones meet in one point of the drawing
     }
+    p = fields_.inside(p.x, p.y);
   }
 
  private:
@@ -82,7 +83,7 @@ class Placer {
       if (std::fabs(det) < 0.05) return;
       const Point step{(g * ab.y - f * ac.y) / det, (f * ac.x - g * ab.x) / det};
       q += step;
-      if (length(q - p) > kLimit) return;
+      if (length(q - p) > kLimit || !(q == fields_.inside(q.x, q.y))) return;
       if (length(step) < 1e-3) break;
     }
     p = q;
@@ -117,8 +118,10 @@ class Placer {
     if (size < 1e-3) return;
     freedom = Freedom::kFrontier;
     normal = (1 / size) * across;
-    if (meeting.count == 3) balance_along(meeting, {-normal.y, normal.x}, p);
-    to_frontier(fields_.zones, a, b, kLimit, p);
+    if (meeting.count != 3) return;
+    Point q = p;
+    balance_along(meeting, {-normal.y, normal.x}, q);
+    if (to_frontier(fields_.zones, a, b, kLimit, q) && q == fields_.inside(q.x, q.y)) p = q;
   }
 
   void place_on_border(const Junction& junction, const Meeting& meeting, Point& p, Freedom& freedom,
@@ -136,8 +139,6 @@ class Placer {
       const Point q = p;
       if (to_frontier(fields_.zones, meeting.zones[0], meeting.zones[1], kLimit, p)) p = q + dot(p - q, along) * along;
     }
-    p.x = std::clamp(p.x, 0.0, static_cast<double>(diagram_.labels.cols));
-    p.y = std::clamp(p.y, 0.0, static_cast<double>(diagram_.labels.rows));
   }
 
   const Diagram& diagram_;
@@ -160,6 +161,7 @@ bool to_frontier(const Zones& zones, int a, int b, double limit, Point& p) {
     q += step;
     if (length(q - p) > limit) return false;
   }
+  if (std::fabs(zones.frontier(q.x, q.y, a, b)) > 0.05) return false;
   p = q;
   return true;
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kRounds = 30;
 constexpr double kSlide = 0.35;   // of h: how far a vertex slides along a frontier
+constexpr double kStraight = 0.15;  // of h: how far a flat vertex may be from its stone's side
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
 constexpr double kMargin = 0.15;  // of the line between its neighbours: how near a vertex comes to either
 
@@ -28,10 +29,12 @@ class Relaxer {
   }
 
   // Sliding along a tangent leaves a curved frontier.
-  void back_to_frontier(const Zones& zones) {
-    for (std::size_t v = 0; v < begin_.size(); ++v)
-      if (t_.freedom[v] == Freedom::kFrontier)
-        to_frontier(zones, t_.between[v][0], t_.between[v][1], 1, map_.vertices[v]);
+  void back_to_frontier(const Fields& fields) {
+    for (std::size_t v = 0; v < begin_.size(); ++v) {
+      Point& p = map_.vertices[v];
+      if (t_.freedom[v] == Freedom::kFrontier) to_frontier(fields.zones, t_.between[v][0], t_.between[v][1], 1, p);
+      p = fields.inside(p.x, p.y);
+    }
   }
 
   // Undoes the moves of tangled stones, until none is left that undoing helps.
@@ -52,10 +55,24 @@ class Relaxer {
       for (std::size_t slot = 0; slot < flat.size(); ++slot)
         if (undone[map_.ring[slot]]) flat[slot] = 0;
     }
+    for (int cell = 0; cell < map_.cells(); ++cell) keep_straight(cell, flat);
   }
 
  private:
-  // Corners that cross or coincide.
+  // A vertex that is not on its stone's side after all is a corner of the stone: left out, its neighbours would overlap.
+  void keep_straight(int cell, std::vector<char>& flat) const {
+    for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
+      if (!flat[slot] || t_.freedom[map_.ring[slot]] != Freedom::kFree) continue;
+      int a = map_.previous(cell, slot), b = map_.next(cell, slot);
+      while (flat[a] && a != slot) a = map_.previous(cell, a);
+      while (flat[b] && b != slot) b = map_.next(cell, b);
+      const Point way = map_.at(b) - map_.at(a);
+      const double off = std::fabs(cross(way, map_.at(slot) - map_.at(a)));
+      if (off > kStraight * half_side_ * length(way)) flat[slot] = 0;
+    }
+  }
+
+  // Corners that cross or coincide, or an outline turned over.
   bool is_tangled(int cell) const {
     Ring ring;
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot)
@@ -66,6 +83,7 @@ class Relaxer {
       if (length(b - a) < kTouching * half_side_) return true;
       convex &= cross(b - a, c - b) >= 0;
     }
+    if (signed_area(ring) <= 0) return true;
     return !(convex && ring.size() == 4) && !is_simple(ring);
   }
 
@@ -138,9 +156,9 @@ void relax(Tessellation& t, std::vector<char>& flat, const Fields& fields) {
   Relaxer relaxer(t, flat, fields.half_side);
   for (int i = 0; i < kRounds; ++i) {
     relaxer.round(i < kRounds / 2 ? 0.2 : 0);
-    if (i == kRounds / 2) relaxer.back_to_frontier(fields.zones);
+    if (i == kRounds / 2) relaxer.back_to_frontier(fields);
   }
-  relaxer.back_to_frontier(fields.zones);
+  relaxer.back_to_frontier(fields);
   relaxer.untangle(flat);
 }
 

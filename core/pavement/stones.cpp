@@ -8,6 +8,7 @@
 namespace tessera::pavement {
 namespace {
 
+constexpr double kTouching = 0.02;    // of h: corners nearer than this are one
 constexpr double kTinySide = 0.2;     // of h
 constexpr double kCornerLoss = 0.06;  // of a stone's area: what cutting off a corner may cost
 
@@ -60,6 +61,29 @@ void drop_wide_corners(Ring& ring, double widest_deg) {
   });
 }
 
+bool is_outline(const Ring& ring) { return signed_area(ring) > 0 && is_simple(ring); }
+
+// Neighbours in one place are one corner.
+void merge_touching(Ring& ring, double shortest) {
+  for (std::size_t i = 0; i < ring.size() && ring.size() > 1;) {
+    if (length(after(ring, i) - ring[i]) < shortest) {
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
+// A stone has four corners; a triangle's fourth is in the middle of its longest side.
+void complete_triangle(Ring& ring) {
+  if (ring.size() != 3) return;
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (length(after(ring, i) - ring[i]) > length(after(ring, longest) - ring[longest])) longest = i;
+  const Point middle = 0.5 * (ring[longest] + after(ring, longest));
+  ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(longest) + 1, middle);
+}
+
 // What is left where a frontier folds upon itself within a pixel or two: corners around their middle, in order.
 void unfold(Ring& ring) {
   Point middle;
@@ -69,18 +93,32 @@ void unfold(Ring& ring) {
   });
 }
 
+// The corners if they make an outline, else all vertices; else, of a small stone, the corners unfolded. A large one is
+// left out: unfolded it would cover its neighbours.
+Ring first_outline(Ring corners, Ring whole, double half_side) {
+  if (is_outline(corners)) return corners;
+  merge_touching(whole, kTouching * half_side);
+  if (is_outline(whole)) return whole;
+  unfold(corners);
+  return is_outline(corners) && signed_area(corners) < half_side * half_side ? corners : Ring{};
+}
+
 }  // namespace
 
 std::vector<Ring> separate_stones(const Tessellation& t, const std::vector<char>& flat, const Params& params,
                                   double half_side) {
   std::vector<Ring> stones(t.cells());
   for (int cell = 0; cell < t.cells(); ++cell) {
-    Ring& ring = stones[cell];
-    for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot)
-      if (!flat[slot]) ring.push_back(t.map.at(slot));
-    drop_tiny_sides(ring, kTinySide * half_side);
-    drop_wide_corners(ring, params.wide_angle);
-    if (!is_simple(ring)) unfold(ring);
+    Ring corners, whole;
+    for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
+      whole.push_back(t.map.at(slot));
+      if (!flat[slot]) corners.push_back(t.map.at(slot));
+    }
+    merge_touching(corners, kTouching * half_side);
+    drop_tiny_sides(corners, kTinySide * half_side);
+    drop_wide_corners(corners, params.wide_angle);
+    stones[cell] = first_outline(std::move(corners), std::move(whole), half_side);
+    complete_triangle(stones[cell]);
   }
   return stones;
 }

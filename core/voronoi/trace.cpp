@@ -173,6 +173,13 @@ std::vector<Enclosure> find_enclosures(const LabelMap& labels, int cells) {
       found.push_back({label, static_cast<double>(junction.x), static_cast<double>(junction.y)});
     }
   }
+  // A cell that touches itself at a corner has what lies between enclosed, too.
+  for (const Junction& junction : graph.junctions) {
+    const auto& a = junction.labels;
+    for (int d = 0; d < 2; ++d)
+      if (a[d] >= 0 && a[d] == a[d + 2] && a[d] != a[1 - d] && a[d] != a[3 - d])
+        found.push_back({a[d], static_cast<double>(junction.x), static_cast<double>(junction.y)});
+  }
   // Cells without a junction: all around them is one other cell.
   std::vector<bool> alone(cells, false);
   bool any = false;

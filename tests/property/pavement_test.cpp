@@ -298,7 +298,6 @@ TEST(Pavement, TheExtremesOfTheParametersHold) {
     for (const Piece& stone : output.sheet.pieces)
       for (const Point p : ring_of(stone)) ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << what;
   };
-  Params params;
   expect_sound("half side 1", {.half_side = 1});
   expect_sound("half side larger than the picture", {.half_side = 512});
   expect_sound("grout wider than stones", {.grout = 256});
@@ -368,24 +367,26 @@ TEST(Pavement, ProgressNeverFallsAndEndsAtOne) {
   EXPECT_EQ(std::set<std::string>(stages.begin(), stages.end()).size(), stages.size());
 }
 
-TEST(Pavement, TheStopFlagEndsTheRun) {
-  const auto rasterizer = make_cpu_rasterizer();
+void expect_stopped(StopReason reason, StatusCode code, int diagrams) {
+  std::atomic<int> stop{diagrams == 0 ? static_cast<int>(reason) : 0};
+  RunContext context;
+  context.stop = &stop;
+  int seen = 0;
+  const auto observer = [&](int, double, const Sites&, const LabelMap&) {
+    if (++seen == diagrams) stop = static_cast<int>(reason);
+  };
   const cv::Mat3b picture = disc_drawing(40);
-  for (const auto& [reason, code] :
-       {std::pair{StopReason::kCancelled, StatusCode::kCancelled}, {StopReason::kTimeout, StatusCode::kTimeout}}) {
-    for (const int after : {0, 1, 5, 20}) {  // diagrams
-      std::atomic<int> stop{after == 0 ? static_cast<int>(reason) : 0};
-      RunContext context;
-      context.stop = &stop;
-      int seen = 0;
-      const auto observer = [&](int, double, const Sites&, const LabelMap&) {
-        if (++seen == after) stop = static_cast<int>(reason);
-      };
-      const auto output = run(view_of(picture), {}, 1, *rasterizer, context, observer);
-      ASSERT_FALSE(output);
-      EXPECT_EQ(output.error().code, code);
-      EXPECT_EQ(seen, after);
-    }
+  const auto rasterizer = make_cpu_rasterizer();
+  const auto output = run(view_of(picture), {}, 1, *rasterizer, context, observer);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, code);
+  EXPECT_EQ(seen, diagrams);
+}
+
+TEST(Pavement, TheStopFlagEndsTheRun) {
+  for (const int diagrams : {0, 1, 5, 20}) {
+    expect_stopped(StopReason::kCancelled, StatusCode::kCancelled, diagrams);
+    expect_stopped(StopReason::kTimeout, StatusCode::kTimeout, diagrams);
   }
 }
 
