@@ -84,23 +84,34 @@ void complete_triangle(Ring& ring) {
   ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(longest) + 1, middle);
 }
 
-// What is left where a frontier folds upon itself within a pixel or two: corners around their middle, in order.
-void unfold(Ring& ring) {
-  Point middle;
-  for (const Point p : ring) middle += (1.0 / static_cast<double>(ring.size())) * p;
-  std::stable_sort(ring.begin(), ring.end(), [&](Point p, Point q) {
-    return atan2_portable(p.y - middle.y, p.x - middle.x) < atan2_portable(q.y - middle.y, q.x - middle.x);
-  });
+Ring without(const Ring& ring, std::size_t i) {
+  Ring rest = ring;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+  return rest;
 }
 
-// The corners if they make an outline, else all vertices; else, of a small stone, the corners unfolded. A large one is
-// left out: unfolded it would cover its neighbours.
+// Where a frontier folds upon itself within a pixel or two: leaves out vertices until an outline is left, first those
+// that alone are to blame, of these the one that matters least. Empty where there is none.
+Ring unfolded(Ring ring) {
+  while (!is_outline(ring) && ring.size() > 3) {
+    std::size_t worst = 0;
+    bool mends = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const bool mends_too = is_outline(without(ring, i));
+      const bool smaller = std::fabs(corner_area2(ring, i)) < std::fabs(corner_area2(ring, worst));
+      if (mends_too > mends || (mends_too == mends && smaller)) worst = i;
+      mends |= mends_too;
+    }
+    ring = without(ring, worst);
+  }
+  return is_outline(ring) ? ring : Ring{};
+}
+
+// The corners if they make an outline, else all vertices, unfolded if need be.
 Ring first_outline(Ring corners, Ring whole, double half_side) {
   if (is_outline(corners)) return corners;
   merge_touching(whole, kTouching * half_side);
-  if (is_outline(whole)) return whole;
-  unfold(corners);
-  return is_outline(corners) && signed_area(corners) < half_side * half_side ? corners : Ring{};
+  return unfolded(std::move(whole));
 }
 
 }  // namespace
