@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/base/portable_math.h"
 #include "tessera/voronoi/cells.h"
@@ -173,8 +174,10 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
     context.progress(0.1 + 0.6 * (iteration + 1) / (params.iterations + 1));
     if (iteration == params.iterations) break;
     const auto moments = cell_moments(diagram.labels, static_cast<int>(sites.size()));
-    for (std::size_t i = 0; i < sites.size(); ++i)
-      if (moments[i].count > 0) lloyd.recentre(sites[i], moments[i]);
+    cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
+      for (int i = range.start; i < range.end; ++i)
+        if (moments[i].count > 0) lloyd.recentre(sites[i], moments[i]);
+    });
     diagram.reseeded += reseed_empty(sites, moments);
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 #include <queue>
 
 namespace tessera::pavement {
@@ -122,9 +123,11 @@ class Matcher {
   // The flat angle that improves its stone most, or harms it least, among all stones; then that stone is looked at anew.
   void cheapest_first() {
     cost_.resize(map_.ring.size());
+    cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
+      for (int cell = range.start; cell < range.end; ++cell) weigh(cell);
+    });
     std::vector<Entry> entries;
     for (int cell = 0; cell < map_.cells(); ++cell) {
-      weigh(cell);
       if (const int slot = cheapest(cell); slot >= 0) entries.push_back({cost_[slot], slot});
     }
     std::priority_queue<Entry> queue({}, std::move(entries));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/pavement/bend_arcs.h"
 #include "tessera/voronoi/trace.h"
@@ -176,8 +177,10 @@ Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
   t.freedom.resize(n);
   t.normal.resize(n);
   t.between.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-    placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i], t.between[i]);
+  cv::parallel_for_({0, static_cast<int>(n)}, [&](const cv::Range& range) {
+    for (int i = range.start; i < range.end; ++i)
+      placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i], t.between[i]);
+  });
   bend_arcs(graph, diagram, fields, t);
   return t;
 }

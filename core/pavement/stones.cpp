@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/base/portable_math.h"
 
@@ -114,23 +115,29 @@ Ring first_outline(Ring corners, Ring whole, double half_side) {
   return unfolded(std::move(whole));
 }
 
+Ring separate_stone(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg, double half_side) {
+  Ring corners, whole;
+  for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
+    whole.push_back(t.map.at(slot));
+    if (!flat[slot]) corners.push_back(t.map.at(slot));
+  }
+  merge_touching(corners, kTouching * half_side);
+  drop_tiny_sides(corners, kTinySide * half_side);
+  drop_wide_corners(corners, widest_deg);
+  Ring stone = first_outline(std::move(corners), std::move(whole), half_side);
+  complete_triangle(stone);
+  return stone;
+}
+
 }  // namespace
 
 std::vector<Ring> separate_stones(const Tessellation& t, const std::vector<char>& flat, const Params& params,
                                   double half_side) {
   std::vector<Ring> stones(t.cells());
-  for (int cell = 0; cell < t.cells(); ++cell) {
-    Ring corners, whole;
-    for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
-      whole.push_back(t.map.at(slot));
-      if (!flat[slot]) corners.push_back(t.map.at(slot));
-    }
-    merge_touching(corners, kTouching * half_side);
-    drop_tiny_sides(corners, kTinySide * half_side);
-    drop_wide_corners(corners, params.wide_angle);
-    stones[cell] = first_outline(std::move(corners), std::move(whole), half_side);
-    complete_triangle(stones[cell]);
-  }
+  cv::parallel_for_({0, t.cells()}, [&](const cv::Range& range) {
+    for (int cell = range.start; cell < range.end; ++cell)
+      stones[cell] = separate_stone(t, flat, cell, params.wide_angle, half_side);
+  });
   return stones;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -15,7 +16,8 @@ namespace tessera {
 namespace {
 
 void prepare(const Settings& settings) {
-  if (settings.threads > 0) cv::setNumThreads(settings.threads);
+  // More threads than processors are slower, and the library that runs them complains.
+  if (settings.threads > 0) cv::setNumThreads(std::min(settings.threads, cv::getNumberOfCPUs()));
   if (settings.timeout_s > 0) set_time_limit(settings.timeout_s);
 }
 
