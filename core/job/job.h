@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "tessera/base/run_context.h"
+#include "tessera/formats/formats.h"
+#include "tessera/geometry/piece.h"
 #include "tessera/image/image_view.h"
 #include "tessera/pavement/params.h"
 #include "tessera/voronoi/lloyd.h"
@@ -43,16 +45,38 @@ struct JobRequest {
   double png_scale = 0;  // output pixels a source pixel, up to 16; 0 lets the sheet's size decide
 };
 
+// A figure of the paper, drawn from a run.
+struct Plot {
+  std::string name;  // "vertices"
+  Histogram histogram;
+};
+
+// What a technique has made, before it is bytes, in terms that all of them share.
+struct Outcome {
+  PieceSheet sheet;                            // with the job in it
+  std::map<std::string, std::int64_t> counts;  // of the report
+  std::map<std::string, double> metrics;       // finite
+  std::vector<Plot> plots;
+};
+
 struct JobResult {
   std::vector<Artifact> artifacts;             // in the order of request.formats, then plots
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
 };
 
-// Runs the job on decoded pictures. Reports all problems of parameters, inputs and formats together. OpenCV's
-// exceptions and failed allocations end here, as kInternal. Stages are the technique's, then "format".
+// Runs the job on decoded pictures: compute_job(), then write_artifacts(). Reports all problems of parameters, inputs
+// and formats together. OpenCV's exceptions and failed allocations end here, as kInternal. Stages are the
+// technique's, then "format".
 tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
                                           Rasterizer& rasterizer, const RunContext& context,
                                           const IterationObserver& observer = {});
+
+// The two halves of run_job(), for a program that wants files of a result later, one by one. Errors as there; the
+// second reports stage "format" and its own progress, 0..1.
+tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
+                                            const RunContext& context, const IterationObserver& observer = {});
+tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, const Outcome& outcome,
+                                                              const JobRequest& request, const RunContext& context);
 
 }  // namespace tessera

@@ -73,58 +73,49 @@ void check_pictures(const Technique& technique, const Pictures& pictures, Proble
   }
 }
 
-// The bare outputs: artifacts, counts and metrics of what the technique has made.
-Result<JobResult> write_artifacts(const Job& job, const JobRequest& request, Outcome outcome,
-                                  const RunContext& context) {
-  outcome.sheet.job_json = job_to_text(job);
+Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, const JobRequest& request,
+                                                    const RunContext& context) {
+  context.stage("format");
   const double scale = png_scale_of(outcome.sheet, request.png_scale);
-  JobResult result;
+  std::vector<Artifact> artifacts;
   for (const std::string& name : request.formats) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
     const Format& format = format_of(name);
-    result.artifacts.push_back({format.name, format.media_type, format.write(outcome.sheet, scale)});
+    artifacts.push_back({format.name, format.media_type, format.write(outcome.sheet, scale)});
+    context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));
   }
   if (request.plots) {
     for (const Plot& plot : outcome.plots) {
-      result.artifacts.push_back(
+      artifacts.push_back(
           {fmt::format("plots/{}.svg", plot.name), "image/svg+xml", write_histogram_svg(plot.histogram)});
     }
   }
-  result.counts = std::move(outcome.counts);
-  result.metrics = std::move(outcome.metrics);
-  return result;
-}
-
-Result<JobResult> run_valid_job(const Job& job, const Pictures& pictures, const JobRequest& request,
-                                Rasterizer& rasterizer, const RunContext& context,
-                                const IterationObserver& observer) {
-  RunContext inner = context;
-  inner.on_progress = [&](double fraction) { context.progress(kTechniqueShare * fraction); };
-  auto outcome = technique_of(job.params).run(job, pictures, rasterizer, inner, observer);
-  if (!outcome) return tl::unexpected<Status>(std::move(outcome.error()));
-  context.stage("format");
-  auto result = write_artifacts(job, request, *std::move(outcome), context);
   context.progress(1);
-  return result;
+  return artifacts;
 }
 
-}  // namespace
+Result<Outcome> compute_valid_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
+                                  const RunContext& context, const IterationObserver& observer) {
+  auto outcome = technique_of(job.params).run(job, pictures, rasterizer, context, observer);
+  if (outcome) outcome->sheet.job_json = job_to_text(job);
+  return outcome;
+}
 
-tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
-                                          Rasterizer& rasterizer, const RunContext& context,
-                                          const IterationObserver& observer) {
-  Problems problems;
-  const Technique& technique = technique_of(job.params);
-  check_params(job.params, problems);
-  check_seed(job, problems);
-  check_request(technique, request, problems);
-  check_pictures(technique, pictures, problems);
-  if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
+// The context of a part of the run, which moves progress from `from` to `to`.
+RunContext part_of(const RunContext& context, double from, double to) {
+  RunContext part = context;
+  part.on_progress = [&context, from, to](double fraction) { context.progress(from + (to - from) * fraction); };
+  return part;
+}
+
+// What `work` returns; OpenCV's exceptions and failed allocations become problems.
+template <class Work>
+auto guarded(const Work& work) -> tl::expected<typename decltype(work())::value_type, Problems> {
   const auto fault = [](std::string message) {
     return tl::unexpected<Problems>(Problems{{StatusCode::kInternal, "", std::move(message)}});
   };
   try {
-    auto result = run_valid_job(job, pictures, request, rasterizer, context, observer);
+    auto result = work();
     if (result) return *std::move(result);
     return tl::unexpected<Problems>(Problems{std::move(result.error())});
   } catch (const std::bad_alloc&) {
@@ -133,6 +124,45 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
     if (error.code == cv::Error::StsNoMem) return fault("out of memory");
     return fault(fmt::format("OpenCV failed in {}: {}", error.func, error.err));
   }
+}
+
+void check_job(const Job& job, Problems& problems) {
+  check_params(job.params, problems);
+  check_seed(job, problems);
+}
+
+}  // namespace
+
+tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
+                                            const RunContext& context, const IterationObserver& observer) {
+  Problems problems;
+  check_job(job, problems);
+  check_pictures(technique_of(job.params), pictures, problems);
+  if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
+  return guarded([&] { return compute_valid_job(job, pictures, rasterizer, context, observer); });
+}
+
+tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, const Outcome& outcome,
+                                                              const JobRequest& request, const RunContext& context) {
+  Problems problems;
+  check_request(technique_of(job.params), request, problems);
+  if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
+  return guarded([&] { return write_valid_artifacts(outcome, request, context); });
+}
+
+tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
+                                          Rasterizer& rasterizer, const RunContext& context,
+                                          const IterationObserver& observer) {
+  Problems problems;
+  check_job(job, problems);
+  check_request(technique_of(job.params), request, problems);
+  check_pictures(technique_of(job.params), pictures, problems);
+  if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
+  auto outcome = compute_job(job, pictures, rasterizer, part_of(context, 0, kTechniqueShare), observer);
+  if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
+  auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
+  if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));
+  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics)};
 }
 
 }  // namespace tessera

@@ -1,14 +1,10 @@
 // The techniques there are: what each is called, what it reads and how it is run.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tessera/formats/formats.h"
-#include "tessera/geometry/piece.h"
 #include "tessera/job/job.h"
 
 namespace tessera {
@@ -16,20 +12,6 @@ namespace tessera {
 struct InputRole {
   std::string_view name;  // "drawing"
   std::string_view help;  // one line
-};
-
-// A figure of the paper, drawn from this run.
-struct Plot {
-  std::string name;  // "vertices"
-  Histogram histogram;
-};
-
-// What a technique has made, in terms that all of them share.
-struct Outcome {
-  PieceSheet sheet;
-  std::map<std::string, std::int64_t> counts;
-  std::map<std::string, double> metrics;
-  std::vector<Plot> plots;
 };
 
 using TechniqueRun = Result<Outcome>(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,

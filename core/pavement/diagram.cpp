@@ -170,7 +170,7 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
       if (sites.size() > reached)
         if (auto again = rasterizer.label(sites, diagram.labels); !again) return tl::unexpected(again.error());
     }
-    if (observer) observer(iteration, fields.scale, sites, diagram.labels);
+    if (observer) observer({iteration, params.iterations, fields.scale, sites, diagram.labels, fields.zones.palette});
     context.progress(0.1 + 0.6 * (iteration + 1) / (params.iterations + 1));
     if (iteration == params.iterations) break;
     const auto moments = cell_moments(diagram.labels, static_cast<int>(sites.size()));

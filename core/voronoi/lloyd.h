@@ -5,14 +5,22 @@
 #include <functional>
 #include <vector>
 
+#include "tessera/base/colour.h"
 #include "tessera/voronoi/rasterizer.h"
 
 namespace tessera {
 
-// Sees the diagram after each labelling; the references are valid during the call only. `scale` is the number of
-// diagram pixels a source pixel.
-using IterationObserver =
-    std::function<void(int iteration, double scale, const Sites& sites, const LabelMap& labels)>;
+// The diagram after a labelling, valid during the observer's call only.
+struct Iteration {
+  int index;                           // 0 is the diagram of the first sites
+  int last;                            // the index of the final diagram
+  double scale;                        // diagram pixels a source pixel
+  const Sites& sites;
+  const LabelMap& labels;
+  const std::vector<Rgb>& palette;     // colour of each zone
+};
+
+using IterationObserver = std::function<void(const Iteration& iteration)>;
 
 // Sums over the pixels of a cell, exact, so that they do not depend on the order of summation.
 struct CellMoments {

@@ -10,6 +10,7 @@
 #include "tessera/cli/report.h"
 #include "tessera/cli/signals.h"
 #include "tessera/cli/stage_clock.h"
+#include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
 namespace {
@@ -62,16 +63,17 @@ class Run {
     return context;
   }
 
-  // Where GL was our choice and fails on the way, the CPU does it all again.
+  // Where GL was our choice and fails on the way, the CPU takes over.
   tl::expected<JobResult, Problems> compute(const std::map<std::string, Input>& inputs, const JobRequest& request,
                                             Backend& backend) {
     Pictures pictures;
     for (const auto& [role, input] : inputs) pictures[role] = input.picture.view();
-    auto result = run_job(job_, pictures, request, *backend.rasterizer, context());
-    const bool may_fall_back = settings_.backend == BackendChoice::kAuto && backend.context.has_value();
-    if (result || !may_fall_back || result.error().front().code != StatusCode::kInternal) return result;
-    warn("the gl backend failed (" + result.error().front().message + "), the cpu takes over");
-    backend.rasterizer = cpu_backend().rasterizer;
+    if (settings_.backend == BackendChoice::kAuto && backend.context) {
+      backend.rasterizer = make_fallback_rasterizer(
+          std::move(backend.rasterizer), cpu_backend().rasterizer, [this](const Status& reason) {
+            warn("the gl backend failed (" + reason.message + "), the cpu takes over");
+          });
+    }
     return run_job(job_, pictures, request, *backend.rasterizer, context());
   }
 

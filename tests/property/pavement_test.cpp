@@ -336,11 +336,13 @@ TEST(Pavement, TheObserverSeesTheFirstDiagramAndOneAnIteration) {
     Params params;
     params.iterations = iterations;
     std::vector<int> seen;
-    const auto observer = [&](int iteration, double scale, const Sites& sites, const LabelMap& labels) {
-      seen.push_back(iteration);
-      EXPECT_EQ(labels.cols, std::lround(40 * scale));
-      EXPECT_FALSE(sites.empty());
-      for (const int l : labels) ASSERT_LT(l, static_cast<int>(sites.size()));
+    const auto observer = [&](const Iteration& iteration) {
+      seen.push_back(iteration.index);
+      EXPECT_EQ(iteration.last, iterations);
+      EXPECT_EQ(iteration.labels.cols, std::lround(40 * iteration.scale));
+      EXPECT_FALSE(iteration.sites.empty());
+      for (const Site& site : iteration.sites) ASSERT_LT(site.zone, iteration.palette.size());
+      for (const int l : iteration.labels) ASSERT_LT(l, static_cast<int>(iteration.sites.size()));
     };
     ASSERT_TRUE(run(view_of(picture), params, 1, *rasterizer, {}, observer));
     ASSERT_EQ(static_cast<int>(seen.size()), iterations + 1);
@@ -369,7 +371,7 @@ void expect_stopped(StopReason reason, StatusCode code, int diagrams) {
   RunContext context;
   context.stop = &stop;
   int seen = 0;
-  const auto observer = [&](int, double, const Sites&, const LabelMap&) {
+  const auto observer = [&](const Iteration&) {
     if (++seen == diagrams) stop = static_cast<int>(reason);
   };
   const cv::Mat3b picture = disc_drawing(40);
