@@ -1,0 +1,149 @@
+// What a program sees of Tessera's core. Jobs, parameters and techniques describe themselves in `schema`; nothing here
+// names a parameter.
+
+/** One problem, as the core reports it. */
+export interface Problem {
+  code: 'internal' | 'invalidParameter' | 'invalidInput' | 'unwritable' | 'timeout' | 'cancelled';
+  /** The parameter ("halfSide") or input ("drawing") it is about; may be empty. */
+  field: string;
+  /** One line without a full stop: what is wrong and what was expected. */
+  message: string;
+}
+
+/** Carries every problem there is; its message is theirs, joined. */
+export class TesseraError extends Error {
+  constructor(readonly problems: readonly Problem[]) {
+    super(problems.map((p) => (p.field ? `${p.field} ${p.message}` : p.message)).join('; '));
+    this.name = 'TesseraError';
+  }
+}
+
+export type ParameterValue = number | string | boolean;
+
+/** The reproducible unit of work. `inputs` names pictures for people; the core never opens them. */
+export interface Job {
+  schemaVersion: 1;
+  technique: string;
+  seed: number;
+  params: Record<string, ParameterValue>;
+  inputs: Record<string, string>;
+}
+
+/** A parameter in the job's JSON Schema (draft 2020-12), with the words of our own. */
+export interface ParameterSchema {
+  title: string;
+  description: string;
+  type: 'number' | 'integer' | 'boolean' | 'string';
+  default: ParameterValue;
+  minimum?: number;
+  maximum?: number;
+  enum?: string[];
+  'x-enum-descriptions'?: string[];
+  'x-ui-minimum'?: number;
+  'x-ui-maximum'?: number;
+  'x-unit'?: string;
+  'x-symbol'?: string;
+  'x-advanced'?: boolean;
+}
+
+export interface JobSchema {
+  $defs: Record<string, { title: string; description: string; properties: Record<string, ParameterSchema> }>;
+  [word: string]: unknown;
+}
+
+export interface Technique {
+  name: string; // "pavement", as jobs have it
+  command: string; // "pave", of the command line
+  help: string; // one line
+  inputs: { name: string; help: string }[];
+  formats: string[]; // that artifact() makes: "svg", "dxf"
+}
+
+/** Pixels as a canvas gives them: RGBA, 8 bits, rows from the top. Transparent pixels are laid over white. */
+export interface Picture {
+  data: Uint8Array | Uint8ClampedArray;
+  width: number;
+  height: number;
+}
+
+/** The diagram after an iteration, small enough to draw. */
+export interface Preview {
+  width: number; // of `cells`, px
+  height: number;
+  /** A byte a pixel: the zone, plus kCellBorder and kZoneBorder (below). */
+  cells: Uint8Array;
+  /** Three bytes a zone: the colour of its pieces, sRGB. */
+  palette: Uint8Array;
+  /** Four numbers a site: x and y in px of the picture, angle in radians (x towards y), zone. */
+  sites: Float32Array;
+}
+export const kZone = 0x3f;
+export const kCellBorder = 0x80;
+export const kZoneBorder = 0x40;
+
+export interface Iteration {
+  index: number; // 0 is the diagram of the first sites
+  last: number;
+  /** Pixels and sites for a preview of at most so many pixels and sites; only during the callback. */
+  draw(maxPixels: number, maxSites: number): Preview;
+}
+
+export interface RunOptions {
+  /** "auto" takes gl where useCanvas() found graphics hardware, else cpu; and cpu where gl fails on the way. */
+  backend?: 'auto' | 'cpu' | 'gl';
+  onStage?(stage: string): void;
+  /** Done so far, 0 to 1, never falling. */
+  onProgress?(fraction: number): void;
+  onWarning?(message: string): void;
+  onIteration?(iteration: Iteration): void;
+}
+
+export interface RunResult {
+  backend: string; // that drew the last diagram: "cpu" or "gl"
+  counts: Record<string, number>;
+  metrics: Record<string, number>;
+}
+
+/** A finished output. `name` is the extension it answers ("svg"). */
+export interface Artifact {
+  name: string;
+  mediaType: string;
+  bytes: Uint8Array;
+}
+
+/**
+ * The core in one thread: every call blocks until it is done, so a page puts it into a worker. Calls throw
+ * TesseraError for what is wrong with a job, a picture or a format.
+ */
+export interface Tessera {
+  readonly version: string;
+  /** Of the build and this instance; 1 in the build without threads. */
+  readonly threads: number;
+  readonly schema: JobSchema;
+  readonly techniques: Technique[];
+  /**
+   * Non-zero ends the run that is going on, at its next check, with the problem "cancelled"; run() sets it back. Lies in
+   * shared memory where there are threads, so that another thread may set it (Atomics.store); else null.
+   */
+  readonly stopFlag: Int32Array | null;
+
+  /** Reads a job from its JSON, or from an SVG that carries one. Parameters that it leaves out have their defaults. */
+  readJob(text: string): Job;
+  /** Every problem of the job's parameters; none: it can run. */
+  validate(job: Job): Problem[];
+  /** Copies the picture for the runs that follow; null forgets it. */
+  setInput(role: string, picture: Picture | null): void;
+  /** Offers a canvas for drawing diagrams with WebGL2 (a worker's OffscreenCanvas). What it found, or why there is none. */
+  useCanvas(canvas: OffscreenCanvas): { works: boolean; software: boolean; renderer: string };
+  /** Runs the job on the pictures that were set. The result is kept for artifact() until the next run. */
+  run(job: Job, options?: RunOptions): RunResult;
+  /** A file of the last run that was finished, in one of its technique's formats. */
+  artifact(format: string): Artifact;
+}
+
+export interface TesseraOptions {
+  /** Threads to use. 1 takes the build without threads, which needs no cross-origin isolation. */
+  threads?: number;
+  /** Where the package's files are ("tessera-single.wasm"), if not beside this module. */
+  locateFile?: (name: string) => string;
+}
