@@ -10,4 +10,9 @@ struct Rgb {
   friend bool operator==(Rgb a, Rgb b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 };
 
+// A channel of straight opacity 0..255, laid over white.
+constexpr std::uint8_t over_white(int value, int opacity) {
+  return static_cast<std::uint8_t>((value * opacity + 127) / 255 + 255 - opacity);
+}
+
 }  // namespace tessera

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "tessera/base/colour.h"
 #include "tessera/io/decoders.h"
 #include "tessera/io/exif.h"
 
@@ -71,8 +72,8 @@ void lay_over_white(Picture& picture, Alpha alpha) {
   for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 3) {
     const int opacity = from[3];
     for (int c = 0; c < 3; ++c) {
-      const int own = alpha == Alpha::kStraight ? (from[c] * opacity + 127) / 255 : from[c];
-      to[c] = static_cast<std::uint8_t>(std::min(255, own + 255 - opacity));
+      to[c] = alpha == Alpha::kStraight ? over_white(from[c], opacity)
+                                        : static_cast<std::uint8_t>(std::min(255, from[c] + 255 - opacity));
     }
   }
 }

@@ -11,10 +11,11 @@
 #include <optional>
 #include <vector>
 
+#include "gl_context.h"
 #include "tessera/base/portable_math.h"
 #include "tessera/base/rng.h"
-#include "tessera/egl/egl_context.h"
 #include "tessera/voronoi/cpu_rasterizer.h"
+#include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
 namespace {
@@ -92,7 +93,7 @@ bool same(const LabelMap& a, const LabelMap& b) { return a.size() == b.size() &&
 class GlRasterizerTest : public testing::Test {
  protected:
   void SetUp() override {
-    Result<EglContext> context = EglContext::create();
+    Result<GlContext> context = GlContext::create();
     if (!context) GTEST_SKIP() << context.error().message;
     context_.emplace(std::move(*context));
     gl_ = make();
@@ -115,7 +116,7 @@ class GlRasterizerTest : public testing::Test {
   }
   LabelMap label(const Canvas& canvas, const Sites& sites) { return label(*gl_, canvas, sites); }
 
-  std::optional<EglContext> context_;
+  std::optional<GlContext> context_;
   std::unique_ptr<Rasterizer> gl_;  // before the context goes
 };
 
@@ -368,6 +369,51 @@ TEST_F(GlRasterizerTest, OtherWorkOnTheContextDoesNotShow) {
   EXPECT_TRUE(same(again, expected));
 }
 
+TEST_F(GlRasterizerTest, TwoContextsLiveSideBySide) {
+  const Canvas canvas{cv::Mat1b(20, 20, std::uint8_t{0}), Metric::kFrustum, 100};
+  const Sites sites = {{5, 5, 0, 1, 1, 0}, {15, 12, 0, 1, 1, 0}};
+  const LabelMap expected = label(canvas, sites);
+  {
+    Result<GlContext> second = GlContext::create();
+    ASSERT_TRUE(second);
+    EXPECT_FALSE(second->renderer().empty());
+    EXPECT_TRUE(same(label(*make(), canvas, sites), expected));
+  }
+  ASSERT_TRUE(context_->make_current());
+  EXPECT_TRUE(same(label(canvas, sites), expected));
+}
+
+#ifdef __EMSCRIPTEN__
+
+TEST_F(GlRasterizerTest, ALostContextIsAnError) {
+  const Canvas canvas{cv::Mat1b(20, 20, std::uint8_t{0}), Metric::kFrustum, 10};
+  const Sites sites = {{5, 5, 0, 1, 1, 0}};
+  label(canvas, sites);
+  context_->lose();
+  LabelMap labels;
+  const Result<void> done = gl_->label(sites, labels);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, StatusCode::kInternal);
+}
+
+TEST_F(GlRasterizerTest, AfterALostContextTheCpuTakesOver) {
+  const Canvas canvas{cv::Mat1b(20, 20, std::uint8_t{0}), Metric::kFrustum, 10};
+  const Sites sites = {{5, 5, 0, 1, 1, 0}, {15, 12, 0, 1, 1, 0}};
+  const LabelMap expected = label(*gl_, canvas, sites);
+  std::string reason;
+  const auto both = make_fallback_rasterizer(std::move(gl_), make_cpu_rasterizer(),
+                                             [&](const Status& status) { reason = status.message; });
+  ASSERT_TRUE(both->begin(canvas.zones, canvas.metric, canvas.reach));
+  context_->lose();
+  LabelMap labels;
+  ASSERT_TRUE(both->label(sites, labels));
+  EXPECT_FALSE(reason.empty());
+  EXPECT_EQ(both->name(), "cpu");
+  EXPECT_TRUE(same(labels, expected));
+}
+
+#else
+
 TEST_F(GlRasterizerTest, WithoutAContextTheFactorySaysSo) {
   gl_.reset();
   context_->release();
@@ -390,19 +436,7 @@ TEST_F(GlRasterizerTest, AContextThatGoesAwayIsAnError) {
   EXPECT_TRUE(gl_->label(sites, labels));
 }
 
-TEST_F(GlRasterizerTest, TwoContextsLiveSideBySide) {
-  const Canvas canvas{cv::Mat1b(20, 20, std::uint8_t{0}), Metric::kFrustum, 100};
-  const Sites sites = {{5, 5, 0, 1, 1, 0}, {15, 12, 0, 1, 1, 0}};
-  const LabelMap expected = label(canvas, sites);
-  {
-    Result<EglContext> second = EglContext::create();
-    ASSERT_TRUE(second);
-    EXPECT_FALSE(second->renderer().empty());
-    EXPECT_TRUE(same(label(*make(), canvas, sites), expected));
-  }
-  ASSERT_TRUE(context_->make_current());
-  EXPECT_TRUE(same(label(canvas, sites), expected));
-}
+#endif
 
 }  // namespace
 }  // namespace tessera

@@ -89,7 +89,7 @@ export interface Iteration {
 }
 
 export interface RunOptions {
-  /** "auto" takes gl where useCanvas() found graphics hardware, else cpu; and cpu where gl fails on the way. */
+  /** "auto" takes gl where useCanvas() found graphics hardware, else cpu. Where gl fails on the way, cpu takes over. */
   backend?: 'auto' | 'cpu' | 'gl';
   onStage?(stage: string): void;
   /** Done so far, 0 to 1, never falling. */

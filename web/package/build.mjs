@@ -1,0 +1,45 @@
+// Puts the package together in dist/: the engine that CMake has built, types of the parameters from its own schema, and
+// the compiled sources.
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
+import { compile } from 'json-schema-to-typescript';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const engine = `${here}dist/engine`;
+const builds = { threads: 'wasm-release', single: 'wasm-release-single' };
+
+function copyEngine() {
+  rmSync(`${here}dist`, { recursive: true, force: true });
+  mkdirSync(engine, { recursive: true });
+  writeFileSync(`${engine}/package.json`, '{ "type": "commonjs" }\n');
+  for (const [variant, preset] of Object.entries(builds)) {
+    const from = `${here}../../build/${preset}/bin/tessera-${variant}`;
+    const endings = variant === 'threads' ? ['js', 'wasm', 'worker.js'] : ['js', 'wasm'];
+    for (const ending of endings) copyFileSync(`${from}.${ending}`, `${engine}/tessera-${variant}.${ending}`);
+    // The same script as a module, for import() in browsers; the threads' workers load the plain one.
+    const script = readFileSync(`${from}.js`, 'utf8');
+    writeFileSync(`${engine}/tessera-${variant}.mjs`, `${script}\nexport default createTesseraModule;\n`);
+  }
+}
+
+/** One interface a technique: PavementParameters. */
+async function parameterTypes() {
+  const core = await createRequire(import.meta.url)(`${engine}/tessera-single.js`)();
+  const schema = JSON.parse(core.schema());
+  const texts = Object.entries(schema.$defs).map(([technique, params]) => {
+    const name = `${technique[0].toUpperCase()}${technique.slice(1)}Parameters`;
+    const titled = { ...params, title: name };
+    for (const parameter of Object.values(titled.properties)) delete parameter.title;
+    return compile(titled, name, { bannerComment: '', additionalProperties: false, format: true });
+  });
+  writeFileSync(
+    `${here}src/parameters.ts`,
+    `// Made from the core's schema by build.mjs; not kept in the repository.\n\n${(await Promise.all(texts)).join('\n')}`,
+  );
+}
+
+copyEngine();
+await parameterTypes();
+execFileSync('npx', ['tsc', '--project', here], { stdio: 'inherit' });

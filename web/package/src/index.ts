@@ -1,0 +1,185 @@
+export * from './api.js';
+export type * from './parameters.js';
+
+import {
+  TesseraError,
+  type Artifact,
+  type Iteration,
+  type Job,
+  type JobSchema,
+  type Picture,
+  type Preview,
+  type Problem,
+  type RunOptions,
+  type RunResult,
+  type Technique,
+  type Tessera,
+  type TesseraOptions,
+} from './api.js';
+
+/** What web/wasm/binding.cpp offers. Texts are JSON; an answer {"problems": [...]} takes the place of any other. */
+interface CoreModule {
+  version(): string;
+  schema(): string;
+  techniques(): string;
+  read(job: string): string;
+  setThreads(threads: number): void;
+  stopAddress(): number;
+  setInput(role: string, rgba: Uint8Array | Uint8ClampedArray, width: number, height: number): string;
+  forgetInput(role: string): void;
+  useGl(software: boolean): string;
+  run(job: string, backend: string, watcher: Watcher): string;
+  preview(maxPixels: number, maxSites: number): Preview | null;
+  artifact(format: string): Artifact | string;
+  HEAP32: Int32Array;
+  GL: {
+    registerContext(context: WebGL2RenderingContext, attributes: { majorVersion: number }): number;
+    makeContextCurrent(handle: number): boolean;
+  };
+}
+
+interface Watcher {
+  stage(name: string): void;
+  progress(fraction: number): void;
+  warning(message: string): void;
+  iteration(index: number, last: number): void;
+}
+
+type Variant = 'threads' | 'single';
+type Factory = (options: object) => Promise<CoreModule>;
+
+const inNode = typeof process === 'object' && Boolean(process.versions?.node);
+
+/** By a name that bundlers do not follow. */
+const importAtRunTime = (address: string) => import(/* @vite-ignore */ address);
+
+async function nodeFactory(path: string): Promise<Factory> {
+  const { createRequire } = await importAtRunTime('node:module');
+  return createRequire(import.meta.url)(path) as Factory;
+}
+
+async function browserFactory(address: string): Promise<Factory> {
+  return ((await importAtRunTime(address)) as { default: Factory }).default;
+}
+
+async function beside(name: string): Promise<string> {
+  const address = new URL(`./engine/${name}`, import.meta.url);
+  if (!inNode) return address.href;
+  const { fileURLToPath } = await importAtRunTime('node:url');
+  return fileURLToPath(address);
+}
+
+async function filesOf(variant: Variant, locateFile: TesseraOptions['locateFile']) {
+  const names = ['js', 'mjs', 'wasm', 'worker.js'].map((ending) => `tessera-${variant}.${ending}`);
+  const places = await Promise.all(names.map((name) => locateFile?.(name) ?? beside(name)));
+  return new Map(names.map((name, i) => [name, places[i]!]));
+}
+
+/** All the threads there are, where the page may use shared memory. */
+function availableThreads(): number {
+  if (!inNode && !globalThis.crossOriginIsolated) return 1;
+  return Math.max(1, Math.min(globalThis.navigator?.hardwareConcurrency ?? 4, 16));
+}
+
+/** Loads the core. Rejects where its files cannot be had, or the browser has no WebAssembly with SIMD. */
+export async function createTessera(options: TesseraOptions = {}): Promise<Tessera> {
+  const threads = options.threads ?? availableThreads();
+  const variant: Variant = threads > 1 ? 'threads' : 'single';
+  const files = await filesOf(variant, options.locateFile);
+  const script = files.get(`tessera-${variant}.js`)!;
+  const factory = await (inNode ? nodeFactory(script) : browserFactory(files.get(`tessera-${variant}.mjs`)!));
+  const module = await factory({
+    poolSize: threads,
+    mainScriptUrlOrBlob: script, // what the threads' workers load
+    locateFile: (name: string) => files.get(name) ?? name,
+  });
+  module.setThreads(threads);
+  return new Core(module, threads);
+}
+
+/** The answer in `text`; throws the problems that stand in its place. */
+function answer<T>(text: string): T {
+  const value = JSON.parse(text) as T | { problems: Problem[] };
+  if (value && typeof value === 'object' && 'problems' in value) throw new TesseraError(value.problems);
+  return value as T;
+}
+
+const softwareRenderers = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+class Core implements Tessera {
+  readonly version: string;
+  readonly schema: JobSchema;
+  readonly techniques: Technique[];
+  readonly stopFlag: Int32Array | null;
+
+  constructor(
+    private readonly module: CoreModule,
+    readonly threads: number,
+  ) {
+    this.version = module.version();
+    this.schema = JSON.parse(module.schema()) as JobSchema;
+    this.techniques = JSON.parse(module.techniques()) as Technique[];
+    // A view of its own, so that it outlives growth of the memory.
+    const { buffer } = module.HEAP32;
+    const shared = typeof SharedArrayBuffer === 'function' && buffer instanceof SharedArrayBuffer;
+    this.stopFlag = shared ? new Int32Array(buffer, module.stopAddress(), 1) : null;
+  }
+
+  readJob(text: string): Job {
+    return answer<{ job: Job }>(this.module.read(text)).job;
+  }
+
+  validate(job: Job): Problem[] {
+    const result = JSON.parse(this.module.read(JSON.stringify(job))) as { problems?: Problem[] };
+    return result.problems ?? [];
+  }
+
+  setInput(role: string, picture: Picture | null): void {
+    if (!picture) return this.module.forgetInput(role);
+    const { data, width, height } = picture;
+    if (data.length !== 4 * width * height) {
+      const message = `has ${data.length} bytes, expected ${4 * width * height} for ${width} x ${height} px`;
+      throw new TesseraError([{ code: 'invalidInput', field: role, message }]);
+    }
+    const trouble = this.module.setInput(role, data, width, height);
+    if (trouble) answer(trouble);
+  }
+
+  useCanvas(canvas: OffscreenCanvas) {
+    const gl = canvas.getContext('webgl2', { antialias: false, depth: false, powerPreference: 'high-performance' });
+    if (!gl) return { works: false, software: false, renderer: 'there is no WebGL2' };
+    const names = gl.getExtension('WEBGL_debug_renderer_info');
+    const renderer = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+    const software = softwareRenderers.test(renderer);
+    this.module.GL.makeContextCurrent(this.module.GL.registerContext(gl, { majorVersion: 2 }));
+    const trouble = this.module.useGl(software);
+    return { works: !trouble, software, renderer: trouble || renderer };
+  }
+
+  run(job: Job, options: RunOptions = {}): RunResult {
+    const watcher: Watcher = {
+      stage: (name) => options.onStage?.(name),
+      progress: (fraction) => options.onProgress?.(fraction),
+      warning: (message) => options.onWarning?.(message),
+      iteration: (index, last) => options.onIteration?.(this.iteration(index, last)),
+    };
+    return answer<RunResult>(this.module.run(JSON.stringify(job), options.backend ?? 'auto', watcher));
+  }
+
+  artifact(format: string): Artifact {
+    const made = this.module.artifact(format);
+    return typeof made === 'string' ? answer<Artifact>(made) : made;
+  }
+
+  private iteration(index: number, last: number): Iteration {
+    return {
+      index,
+      last,
+      draw: (maxPixels, maxSites) => {
+        const preview = this.module.preview(maxPixels, maxSites);
+        if (!preview) throw new Error('draw() works only during onIteration');
+        return preview;
+      },
+    };
+  }
+}

@@ -1,0 +1,181 @@
+// What JavaScript sees: functions over texts, numbers and byte arrays. Jobs and answers travel as JSON, bytes are copied,
+// and no C++ object leaves. web/package/src/index.ts wraps these into the interface that programs use.
+#include <emscripten/bind.h>
+
+#include <opencv2/core/utility.hpp>
+#include <string>
+#include <utility>
+
+#include "engine.h"
+#include "tessera/base/colour.h"
+#include "tessera/job/job_json.h"
+#include "tessera/job/reference.h"
+#include "tessera/job/techniques.h"
+#include "tessera/voronoi/preview.h"
+
+namespace tessera {
+namespace {
+
+using emscripten::val;
+
+Engine& engine() {
+  static Engine one;
+  return one;
+}
+
+// Only during an observer's call.
+const Iteration* current_iteration = nullptr;
+
+const char* name_of(StatusCode code) {
+  switch (code) {
+    case StatusCode::kInternal: return "internal";
+    case StatusCode::kInvalidParameter: return "invalidParameter";
+    case StatusCode::kInvalidInput: return "invalidInput";
+    case StatusCode::kUnwritable: return "unwritable";
+    case StatusCode::kTimeout: return "timeout";
+    case StatusCode::kCancelled: return "cancelled";
+  }
+  return "internal";
+}
+
+std::string to_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json to_json(const Problems& problems) {
+  Json list = Json::array();
+  for (const Status& problem : problems) {
+    list.push_back({{"code", name_of(problem.code)}, {"field", problem.field}, {"message", problem.message}});
+  }
+  return list;
+}
+
+// {"problems": [...]}: what is returned in the place of an answer.
+std::string problems_text(const Problems& problems) { return to_text({{"problems", to_json(problems)}}); }
+
+template <class Element>
+val bytes_of(const Element* elements, std::size_t count) {
+  return val(emscripten::typed_memory_view(count, elements)).template call<val>("slice");
+}
+
+std::string version() { return TESSERA_VERSION; }
+
+std::string schema() { return to_text(job_schema()); }
+
+std::string technique_list() {
+  Json list = Json::array();
+  for (const Technique& technique : techniques()) {
+    Json inputs = Json::array();
+    for (const InputRole& role : technique.inputs) inputs.push_back({{"name", role.name}, {"help", role.help}});
+    list.push_back({{"name", technique.name},
+                    {"command", technique.command},
+                    {"help", technique.help},
+                    {"inputs", inputs},
+                    {"formats", technique.formats}});
+  }
+  return to_text(list);
+}
+
+// The whole job, every parameter in it, or problems.
+std::string read(const std::string& text) {
+  const auto job = read_job(text);
+  return job ? to_text({{"job", job_to_json(*job)}}) : problems_text(job.error());
+}
+
+void set_threads(int threads) { cv::setNumThreads(threads); }
+
+std::uintptr_t stop_address() { return reinterpret_cast<std::uintptr_t>(&engine().stop()); }
+
+// `rgba` is a Uint8Array, straight alpha. Empty, or problems.
+std::string set_input(const std::string& role, const val& rgba, int width, int height) {
+  auto picture = engine().new_picture(role, width, height);
+  if (!picture) return problems_text({picture.error()});
+  std::vector<std::uint8_t> row(4 * static_cast<std::size_t>(width));
+  const val target(emscripten::typed_memory_view(row.size(), row.data()));
+  for (int y = 0; y < height; ++y) {
+    const double begin = static_cast<double>(row.size()) * y;
+    target.call<void>("set", rgba.call<val>("subarray", begin, begin + static_cast<double>(row.size())));
+    for (int x = 0; x < width; ++x) {
+      const std::uint8_t* from = &row[4 * static_cast<std::size_t>(x)];
+      for (int c = 0; c < 3; ++c) (*picture)(y, x)[c] = over_white(from[c], from[3]);
+    }
+  }
+  return "";
+}
+
+void forget_input(const std::string& role) { engine().forget_picture(role); }
+
+// Empty, or why diagrams cannot be drawn with the context that is current.
+std::string use_gl(bool software) {
+  const auto usable = engine().use_gl(software);
+  return usable ? "" : usable.error().message;
+}
+
+BackendChoice choice_of(const std::string& name) {
+  if (name == "cpu") return BackendChoice::kCpu;
+  return name == "gl" ? BackendChoice::kGl : BackendChoice::kAuto;
+}
+
+// `watcher` has the functions stage(name), progress(fraction), warning(message), iteration(index, last).
+RunContext context_for(const val& watcher) {
+  RunContext context;
+  context.on_stage = [watcher](std::string_view name) { watcher.call<void>("stage", std::string(name)); };
+  context.on_progress = [watcher](double fraction) { watcher.call<void>("progress", fraction); };
+  context.on_warning = [watcher](std::string_view text) { watcher.call<void>("warning", std::string(text)); };
+  return context;
+}
+
+std::string run(const std::string& job_text, const std::string& backend_choice, const val& watcher) {
+  const auto job = read_job(job_text);
+  if (!job) return problems_text(job.error());
+  const auto observer = [&](const Iteration& iteration) {
+    current_iteration = &iteration;
+    watcher.call<void>("iteration", iteration.index, iteration.last);
+    current_iteration = nullptr;
+  };
+  std::string backend;
+  const auto outcome = engine().run(*job, choice_of(backend_choice), context_for(watcher), observer, backend);
+  if (!outcome) return problems_text(outcome.error());
+  return to_text({{"backend", backend}, {"counts", (*outcome)->counts}, {"metrics", (*outcome)->metrics}});
+}
+
+// The diagram of the iteration that is being observed; null at any other time.
+val preview(int max_pixels, int max_sites) {
+  if (!current_iteration) return val::null();
+  const Preview preview = make_preview(*current_iteration, max_pixels, max_sites);
+  const auto& palette = current_iteration->palette;
+  val object = val::object();
+  object.set("width", preview.cells.cols);
+  object.set("height", preview.cells.rows);
+  object.set("cells", bytes_of(preview.cells.ptr(), preview.cells.total()));
+  object.set("palette", bytes_of(&palette.data()->r, sizeof(Rgb) * palette.size()));
+  object.set("sites", bytes_of(preview.sites.data(), preview.sites.size()));
+  return object;
+}
+
+// {name, mediaType, bytes}, or problems as text.
+val artifact(const std::string& format) {
+  const auto made = engine().artifact(format);
+  if (!made) return val(problems_text(made.error()));
+  val object = val::object();
+  object.set("name", made->name);
+  object.set("mediaType", made->media_type);
+  object.set("bytes", bytes_of(reinterpret_cast<const std::uint8_t*>(made->bytes.data()), made->bytes.size()));
+  return object;
+}
+
+}  // namespace
+}  // namespace tessera
+
+EMSCRIPTEN_BINDINGS(tessera) {
+  emscripten::function("version", &tessera::version);
+  emscripten::function("schema", &tessera::schema);
+  emscripten::function("techniques", &tessera::technique_list);
+  emscripten::function("read", &tessera::read);
+  emscripten::function("setThreads", &tessera::set_threads);
+  emscripten::function("stopAddress", &tessera::stop_address);
+  emscripten::function("setInput", &tessera::set_input);
+  emscripten::function("forgetInput", &tessera::forget_input);
+  emscripten::function("useGl", &tessera::use_gl);
+  emscripten::function("run", &tessera::run);
+  emscripten::function("preview", &tessera::preview);
+  emscripten::function("artifact", &tessera::artifact);
+}

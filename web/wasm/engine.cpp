@@ -1,0 +1,75 @@
+#include "engine.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "tessera/gpu/gl_rasterizer.h"
+#include "tessera/job/techniques.h"
+#include "tessera/voronoi/cpu_rasterizer.h"
+#include "tessera/voronoi/fallback_rasterizer.h"
+
+namespace tessera {
+
+Result<cv::Mat3b> Engine::new_picture(const std::string& role, int width, int height) {
+  constexpr double kMaxPixels = 1e8;
+  if (width < 1 || height < 1 || static_cast<double>(width) * height > kMaxPixels) {
+    return fail(StatusCode::kInvalidInput, role,
+                fmt::format("is {} x {} px, expected at least one pixel and at most {:.0f} Mpx", width, height,
+                            kMaxPixels / 1e6));
+  }
+  cv::Mat3b& picture = pictures_[role];
+  picture.create(height, width);
+  return picture;
+}
+
+void Engine::forget_picture(const std::string& role) { pictures_.erase(role); }
+
+Result<void> Engine::use_gl(bool software) {
+  gl_is_software_ = software;
+  auto rasterizer = make_gl_rasterizer();
+  has_gl_ = rasterizer.has_value();
+  return rasterizer.map([](const auto&) {});
+}
+
+std::unique_ptr<Rasterizer> Engine::make_rasterizer(BackendChoice choice, const RunContext& context) {
+  auto cpu = make_cpu_rasterizer();
+  const bool wanted = choice == BackendChoice::kGl || (choice == BackendChoice::kAuto && !gl_is_software_);
+  if (!has_gl_ || !wanted) return cpu;
+  const auto warn = [this, &context](const Status& reason) {
+    has_gl_ = false;
+    context.warn("drawing with the graphics card failed (" + reason.message + "), the processor takes over");
+  };
+  auto gl = make_gl_rasterizer();
+  if (gl) return make_fallback_rasterizer(*std::move(gl), std::move(cpu), warn);
+  warn(gl.error());
+  return cpu;
+}
+
+tl::expected<const Outcome*, Problems> Engine::run(const Job& job, BackendChoice choice, RunContext context,
+                                                   const IterationObserver& observer, std::string& backend) {
+  finished_.reset();  // its memory is wanted now
+  stop_ = 0;
+  context.stop = &stop_;
+  Pictures pictures;
+  for (const auto& [role, picture] : pictures_) {
+    pictures[role] = {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
+  }
+  const auto rasterizer = make_rasterizer(choice, context);
+  auto outcome = compute_job(job, pictures, *rasterizer, context, observer);
+  if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
+  backend = rasterizer->name();
+  finished_ = Finished{job, *std::move(outcome)};
+  return &finished_->outcome;
+}
+
+tl::expected<Artifact, Problems> Engine::artifact(const std::string& format) const {
+  if (!finished_) {
+    return tl::unexpected<Problems>(
+        Problems{{StatusCode::kInvalidParameter, format, "has no run to come from, expected a finished one"}});
+  }
+  auto artifacts = write_artifacts(finished_->job, finished_->outcome, {.formats = {format}}, {});
+  return artifacts.map([](std::vector<Artifact>& all) { return std::move(all.front()); });
+}
+
+}  // namespace tessera
