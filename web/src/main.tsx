@@ -1,0 +1,45 @@
+import { effect } from '@preact/signals';
+import { render } from 'preact';
+import './style/base.css';
+import './style/layout.css';
+import './style/controls.css';
+import './style/stage.css';
+import './style/phone.css';
+import { bindViewport } from './stage/viewport';
+import { bindAddress, openAddress } from './state/address';
+import { bindKeys } from './state/keys';
+import { engine } from './state/store';
+import { bindTheme } from './state/theme';
+import { App } from './ui/App';
+import type { EngineInfo } from './worker/protocol';
+
+declare global {
+  interface Window {
+    /** What runs here, for people who report a problem, and for checks. */
+    tessera: { version: string; threads: number; isolated: boolean; gl: EngineInfo['gl'] | null };
+  }
+}
+
+window.tessera = { version: __TESSERA_VERSION__, threads: 0, isolated: crossOriginIsolated, gl: null };
+
+bindTheme();
+bindViewport();
+bindKeys();
+
+const root = document.getElementById('app');
+if (root) render(<App />, root);
+
+let opened = false;
+effect(() => {
+  const { value: info } = engine;
+  if (!info) return;
+  window.tessera = { version: info.version, threads: info.threads, isolated: crossOriginIsolated, gl: info.gl };
+  if (opened) return; // an engine that came up after another was stopped
+  opened = true;
+  void openAddress().then(bindAddress);
+});
+
+// After the first stones, so as not to compete with them for the line.
+if (import.meta.env.PROD && 'serviceWorker' in navigator) {
+  addEventListener('load', () => setTimeout(() => void navigator.serviceWorker.register('./sw.js'), 2000));
+}

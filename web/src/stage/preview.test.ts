@@ -1,0 +1,21 @@
+import { expect, test, vi } from 'vitest';
+
+// The flags are all that is wanted of the engine here.
+vi.mock('tessera-wasm', () => ({ kZone: 0x3f, kCellBorder: 0x80, kZoneBorder: 0x40 }));
+const { borderTable, cellTable, pixelsOf } = await import('./preview');
+
+const palette = new Uint8Array([0, 0, 0, 200, 100, 50]);
+
+test('cells take the colour of their zone, borders lean towards the joint', () => {
+  const table = cellTable(palette, [100, 100, 100, 255]);
+  const pixels = pixelsOf({ cells: new Uint8Array([0, 1, 1 | 0x80, 1 | 0x40]) }, table);
+  expect([...pixels.slice(0, 4)]).toEqual([0, 0, 0, 255]);
+  expect([...pixels.slice(4, 8)]).toEqual([200, 100, 50, 255]);
+  expect([...pixels.slice(8, 12)]).toEqual([140, 100, 80, 255]);
+  expect([...pixels.slice(12, 16)]).toEqual([125, 100, 88, 255]);
+});
+
+test('a border table is clear elsewhere', () => {
+  const pixels = pixelsOf({ cells: new Uint8Array([1, 1 | 0x80, 0x40]) }, borderTable(0x40, [1, 2, 3, 4]));
+  expect([...pixels]).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4]);
+});

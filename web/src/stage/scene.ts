@@ -1,0 +1,207 @@
+// Everything there is to see on the stage, and one picture of it.
+
+import type { EngineToPainter, Look, PieceFacts } from '../worker/protocol';
+import { Diagram } from './diagram';
+import { gridOf, pieceAt, type Grid } from './grid';
+import { rgbaOf } from './ink';
+import { StoneCache } from './stone-cache';
+import { StoneDrawing, type Context } from './stones';
+import { toPicture, type Point, type Size, type View } from './view';
+
+const kFade = 260; // ms from the last diagram to the stones
+
+export class Scene {
+  view: View = { scale: 1, x: 0, y: 0 };
+  stage: Size = { width: 1, height: 1 };
+  ratio = 1;
+  look: Look | null = null;
+  pointer: Point | null = null;
+
+  private source: { bitmap: ImageBitmap; width: number; height: number } | null = null;
+  private stones: { drawing: StoneDrawing; grid: Grid } | null = null;
+  private diagram: Diagram | null = null; // that the stones were made from
+  private live: { id: number; diagram: Diagram } | null = null;
+  private fading: { diagram: Diagram; since: number } | null = null;
+  private dropped = 0;
+  private readonly cache = new StoneCache();
+
+  take(message: EngineToPainter): void {
+    if (message.type === 'source') return this.takeSource(message);
+    if (message.id <= this.dropped) return;
+    if (message.type === 'preview') {
+      this.live = { id: message.id, diagram: new Diagram(message.preview, message.scale) };
+      return;
+    }
+    const drawing = new StoneDrawing(message.pieces, message.ground, message.scale);
+    this.stones = { drawing, grid: gridOf(message.pieces) };
+    if (this.live) {
+      this.diagram = this.live.diagram;
+      this.fading = { diagram: this.diagram, since: performance.now() };
+    }
+    this.live = null;
+  }
+
+  drop(upTo: number): void {
+    this.dropped = Math.max(this.dropped, upTo);
+    if (this.live && this.live.id <= upTo) this.live = null;
+  }
+
+  /** Stones of a picture of another size do not fit the new one; of the same size, they stay until others come. */
+  private takeSource(source: { bitmap: ImageBitmap; width: number; height: number }): void {
+    const old = this.source;
+    old?.bitmap.close();
+    this.source = source;
+    if (old?.width === source.width && old.height === source.height) return;
+    this.stones = this.diagram = this.live = this.fading = null;
+  }
+
+  pieceUnderPointer(): number {
+    if (!this.pointer || !this.stones || this.live || !this.look?.layers.stones) return -1;
+    if (this.pointer.x < this.look.divider * this.stage.width) return -1;
+    const { drawing, grid } = this.stones;
+    const p = toPicture(this.view, this.pointer);
+    return pieceAt(drawing.pieces, grid, p.x * drawing.scale, p.y * drawing.scale);
+  }
+
+  facts(piece: number): PieceFacts | null {
+    if (piece < 0 || !this.stones) return null;
+    const { pieces, scale } = this.stones.drawing;
+    return {
+      kind: pieces.kind,
+      id: pieces.ids[piece]!,
+      area: pieces.areas[piece]! / scale ** 2,
+      vertices: pieces.vertices[piece]!,
+      orientation: pieces.orientations[piece]!,
+    };
+  }
+
+  /** True where another frame is wanted. */
+  draw(context: Context, now: number): boolean {
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+    if (!this.source || !this.look) return false;
+    context.save();
+    this.clip(context);
+    const again = this.drawBase(context, this.look, now);
+    this.drawLayers(context, this.look);
+    const piece = this.pieceUnderPointer();
+    if (piece >= 0) this.stones?.drawing.outline(context, this.view, this.ratio, piece, this.look.accent);
+    context.restore();
+    this.drawBefore(context, this.look);
+    this.drawFrame(context, this.look);
+    return again;
+  }
+
+  private drawBase(context: Context, look: Look, now: number): boolean {
+    if (this.live) {
+      this.overPicture(context, () => this.live?.diagram.cells(context));
+      this.live.diagram.sites(context, this.view, this.stage, this.ratio, look.accent);
+      return false;
+    }
+    const bare = !this.stones;
+    let again = false;
+    if (this.stones && look.layers.stones) {
+      again = this.cache.draw(context, this.stones.drawing, this.view, this.stage, this.ratio, now);
+    } else if (this.diagram && look.layers.cells) {
+      this.overPicture(context, () => this.diagram?.cells(context));
+    } else if (bare || look.layers.source) {
+      this.drawSource(context, bare ? 0.35 : 1);
+    } else {
+      this.overPicture(context, () => {
+        context.fillStyle = '#fbfaf7';
+        context.fillRect(0, 0, 1, 1);
+      });
+    }
+    return this.drawFading(context, look, now) || again;
+  }
+
+  private drawFading(context: Context, look: Look, now: number): boolean {
+    if (!this.fading) return false;
+    const left = 1 - (now - this.fading.since) / kFade;
+    if (left <= 0 || look.calm || !look.layers.stones) {
+      this.fading = null;
+      return false;
+    }
+    context.globalAlpha = Math.min(1, left);
+    this.overPicture(context, () => this.fading?.diagram.cells(context));
+    context.globalAlpha = 1;
+    return true;
+  }
+
+  private drawLayers(context: Context, look: Look): void {
+    const { layers, accent } = look;
+    if (this.live) return;
+    if (layers.source && layers.stones && this.stones) this.drawSource(context, 0.5);
+    const { diagram, view, stage, ratio } = this;
+    if (!diagram) return;
+    const [r, g, b] = rgbaOf(accent);
+    if (layers.cells && layers.stones) {
+      this.overPicture(context, () => diagram.borders(context, 'cells', [r, g, b, 200]));
+    }
+    if (layers.edges) this.overPicture(context, () => diagram.borders(context, 'zones', [214, 64, 36, 255]));
+    if (layers.direction) diagram.directions(context, view, stage, ratio, accent);
+    if (layers.sites) diagram.sites(context, view, stage, ratio, '#d64024');
+  }
+
+  private drawBefore(context: Context, look: Look): void {
+    if (look.divider <= 0) return;
+    context.save();
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.beginPath();
+    context.rect(0, 0, look.divider * this.stage.width, this.stage.height);
+    context.clip();
+    this.drawSource(context, 1);
+    context.restore();
+  }
+
+  private drawSource(context: Context, alpha: number): void {
+    const bitmap = this.source?.bitmap;
+    if (!bitmap) return;
+    this.overPicture(context, () => {
+      context.globalAlpha = alpha;
+      context.drawImage(bitmap, 0, 0, 1, 1);
+    });
+  }
+
+  /** A hairline around the picture, which sets white paper off a light stage. */
+  private drawFrame(context: Context, look: Look): void {
+    if (!this.source) return;
+    const { scale, x, y } = this.view;
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.strokeStyle = look.line;
+    context.lineWidth = 1;
+    context.strokeRect(x - 0.5, y - 0.5, this.source.width * scale + 1, this.source.height * scale + 1);
+  }
+
+  /** Draws with the picture's area as the unit square. */
+  private overPicture(context: Context, draw: () => void): void {
+    if (!this.source) return;
+    const { ratio, view, source } = this;
+    context.save();
+    context.setTransform(
+      ratio * view.scale * source.width,
+      0,
+      0,
+      ratio * view.scale * source.height,
+      ratio * view.x,
+      ratio * view.y,
+    );
+    context.imageSmoothingEnabled = view.scale < 3;
+    context.imageSmoothingQuality = 'medium';
+    draw();
+    context.restore();
+  }
+
+  /** What lies right of the divider, within the picture. */
+  private clip(context: Context): void {
+    if (!this.source || !this.look) return;
+    const { scale, x, y } = this.view;
+    const divider = this.look.divider * this.stage.width;
+    const left = Math.max(x, divider);
+    const right = x + this.source.width * scale;
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.beginPath();
+    context.rect(left, y, Math.max(0, right - left), this.source.height * scale);
+    context.clip();
+  }
+}

@@ -1,0 +1,54 @@
+// Keeps the address bar and the state alike.
+
+import { effect } from '@preact/signals';
+import { entryOf } from '../techniques/index';
+import { changeParams } from './edits';
+import { parseValue, type Params } from './form';
+import { readHash, writeHash, type Address } from './hash';
+import { sampleNamed, useSample } from './pictures';
+import { historyOf } from './history';
+import { runSoon } from './runner';
+import { alertWith, edits, engine, fields, params, picture, seed, technique } from './store';
+
+/** The job that the address names, or the first sample with all defaults. Needs the engine's schema. */
+export async function openAddress(): Promise<void> {
+  const address = readHash(location.hash);
+  const name = address.technique ?? technique.value;
+  if (entryOf(name) && engine.value?.schema.$defs[name]) technique.value = name;
+  const { known, foreign } = paramsOf(address);
+  const sample = sampleNamed(address.sample) ?? sampleNamed('waves');
+  const fresh = location.hash === '';
+  edits.value = historyOf({ params: fresh ? (sample?.params ?? {}) : known, seed: address.seed ?? 1 });
+  if (sample) await useSample(sample, true);
+  if (foreign.length) alertWith(`The address has ${foreign.join(', ')}, which cannot be used here and was left out.`);
+}
+
+function paramsOf(address: Address): { known: Params; foreign: string[] } {
+  const known: Record<string, Params[string]> = {};
+  const foreign: string[] = [];
+  for (const [key, text] of Object.entries(address.params)) {
+    const field = fields.value.find((f) => f.key === key);
+    const value = field && parseValue(field, text);
+    if (value === undefined) foreign.push(`“${key}=${text}”`);
+    else known[key] = value;
+  }
+  return { known, foreign };
+}
+
+/** Follows changes from now on, both ways. */
+export function bindAddress(): void {
+  effect(() => {
+    const hash = writeHash(technique.value, seed.value, picture.value?.sample ?? null, params.value);
+    if (picture.value && hash !== location.hash) history.replaceState(null, '', hash);
+  });
+  addEventListener('hashchange', () => {
+    const address = readHash(location.hash);
+    const { known, foreign } = paramsOf(address);
+    const sample = sampleNamed(address.sample);
+    changeParams(known, address.seed ?? 1);
+    if (sample && sample.name !== picture.value?.sample) void useSample(sample, true);
+    else runSoon();
+    if (foreign.length)
+      alertWith(`The address has ${foreign.join(', ')}, which cannot be used here and was left out.`);
+  });
+}

@@ -1,0 +1,23 @@
+// The two workers of this page.
+
+import PainterWorker from '../stage/painter.worker?worker';
+import type { FromPainter, ToPainter } from '../worker/protocol';
+import { EngineClient } from './engine-client';
+import { alertWith, engine, piece } from './store';
+
+const painterWorker = new PainterWorker({ name: 'painter' });
+painterWorker.onmessage = ({ data }: MessageEvent<FromPainter>) => (piece.value = data.piece);
+
+export const painter = {
+  postMessage: (message: ToPainter, transfer: Transferable[] = []) => painterWorker.postMessage(message, transfer),
+};
+
+export const client = new EngineClient(
+  painter,
+  (info) => (engine.value = info),
+  (message) =>
+    alertWith(
+      `The engine cannot start: ${message || 'its files did not load'}. It needs WebAssembly with SIMD, which every ` +
+        'browser since 2023 has; update yours, or load the page again.',
+    ),
+);

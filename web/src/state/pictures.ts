@@ -1,0 +1,59 @@
+// Where pictures come from: samples, files, the brush, a word. Each runs as soon as it is there.
+
+import { client } from './page';
+import { cancel, forgetOutcome, generate } from './runner';
+import { alertWith, edits, entry, inputRole, picture, type PictureInfo } from './store';
+import { changeParams } from './edits';
+import type { Sample } from '../techniques/entry';
+
+/** The engine's formats that carry a job, and what people call them. */
+export const isJobFile = (file: File) => /\.(json|svg)$/i.test(file.name) || /json|svg/.test(file.type);
+
+let newest = 0;
+
+/** True where the picture was taken; else an alert says why not, and everything stays as it was. */
+async function take(blob: Blob, name: string, sample: string | null): Promise<boolean> {
+  const mine = ++newest;
+  await cancel();
+  try {
+    const size = await client.setPicture(inputRole.value, name, blob);
+    if (mine !== newest) return false;
+    const old = picture.value;
+    if (old?.width !== size.width || old.height !== size.height) forgetOutcome();
+    picture.value = { name, sample, width: size.width, height: size.height } satisfies PictureInfo;
+    return true;
+  } catch (error) {
+    if (mine === newest) alertWith(error instanceof Error ? error.message : String(error));
+    return false;
+  }
+}
+
+export async function usePicture(blob: Blob, name: string): Promise<void> {
+  if (await take(blob, name, null)) generate();
+}
+
+/** What a sample wants comes with it, and goes with it: four colours for a picture in four. */
+export async function useSample(sample: Sample, keepParams = false): Promise<void> {
+  const name = sample.file.slice(sample.file.lastIndexOf('/') + 1);
+  try {
+    const response = await fetch(sample.file);
+    if (!response.ok) throw new Error(String(response.status));
+    if (!(await take(await response.blob(), name, sample.name))) return;
+  } catch {
+    return alertWith(
+      `The sample “${sample.title}” could not be loaded. Check the connection, or use a picture of yours.`,
+    );
+  }
+  if (!keepParams) followSample(sample);
+  generate();
+}
+
+function followSample(sample: Sample): void {
+  const own = { ...edits.value.present.params };
+  const named = new Set(entry.value.samples.flatMap((s) => Object.keys(s.params ?? {})));
+  for (const key of named) delete own[key];
+  changeParams({ ...own, ...sample.params });
+}
+
+export const sampleNamed = (name: string | null): Sample | undefined =>
+  entry.value.samples.find((sample) => sample.name === name || sample.file.endsWith(`/${name}`));

@@ -1,0 +1,152 @@
+// Runs: one at a time, the newest wins, an older one is stopped and never waits.
+
+import { batch } from '@preact/signals';
+import type { Job, Problem } from 'tessera-wasm';
+import { client } from './page';
+import { reducedJob, reductionFor } from './reduce';
+import {
+  alerts,
+  backend,
+  clearAlerts,
+  engine,
+  entry,
+  fields,
+  inputRole,
+  notice,
+  outcome,
+  params,
+  picture,
+  problems,
+  run,
+  seed,
+  technique,
+  type FileLink,
+} from './store';
+
+const kPause = 150; // ms of peace before a changed parameter runs
+const kFormats = ['svg', 'dxf', 'png', 'glb', 'zip'];
+
+let newest = 0;
+let timer = 0;
+
+export function currentJob(): Job {
+  return {
+    schemaVersion: 1,
+    technique: technique.value,
+    seed: seed.value,
+    params: { ...params.value },
+    inputs: picture.value ? { [inputRole.value]: picture.value.name } : {},
+  };
+}
+
+/** After a change of a parameter: soon, and where the picture is large on a smaller copy first. */
+export function runSoon(): void {
+  clearTimeout(timer);
+  clearAlerts();
+  timer = window.setTimeout(() => void start(true), kPause);
+}
+
+export function generate(): void {
+  clearTimeout(timer);
+  clearAlerts();
+  void start(false);
+}
+
+/** Stops what runs and what is about to; what was there before stays. */
+export async function cancel(): Promise<void> {
+  clearTimeout(timer);
+  ++newest;
+  batch(() => {
+    if (run.value) notice.value = 'Cancelled';
+    run.value = null;
+  });
+  await client.cancel();
+}
+
+async function start(quick: boolean): Promise<void> {
+  const mine = ++newest;
+  await client.cancel();
+  const { value: info } = engine;
+  if (mine !== newest || !info || !picture.value) return;
+  const job = currentJob();
+  const part = quick ? reductionFor(picture.value.width, picture.value.height) : 1;
+  if (part < 1 && !(await attempt(mine, reducedJob(job, info.schema, part), part))) return;
+  await attempt(mine, job, 1);
+}
+
+/** True where it ran to its end and is still wanted. */
+async function attempt(mine: number, job: Job, scale: number): Promise<boolean> {
+  const { value: info } = engine;
+  if (!info || mine !== newest) return false;
+  const reduced = scale < 1;
+  batch(() => {
+    notice.value = '';
+    problems.value = {};
+    run.value = { stage: '', fraction: 0, iteration: null, since: performance.now(), reduced };
+  });
+  const update = (change: Partial<NonNullable<typeof run.value>>) => {
+    if (mine === newest && run.value) run.value = { ...run.value, ...change };
+  };
+  const known = info.techniques.find((t) => t.name === job.technique);
+  const formats = kFormats.filter((format) => known?.formats.includes(format));
+  const baseName = `${(picture.value?.name ?? 'drawing').replace(/\.[^.]*$/, '')}-${job.technique}`;
+  const end = await client.run(
+    { job, backend: backend.value, scale, formats },
+    {
+      stage: (stage) => update({ stage }),
+      progress: (fraction) => update({ fraction }),
+      iteration: (index, last) => update({ iteration: { index, last } }),
+      warning: (message) => mine === newest && (notice.value = message),
+      file: (format, blob) => mine === newest && addFile(format, { blob, name: `${baseName}.${format}` }),
+    },
+  );
+  if (mine !== newest) return false;
+  batch(() => {
+    run.value = null;
+    if (end.kind === 'done') {
+      forgetFiles();
+      const { result, milliseconds } = end;
+      outcome.value = { job, result, milliseconds, reduced, files: {} };
+      if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.json` });
+    } else if (end.kind === 'problems') {
+      showProblems(end.problems);
+    }
+  });
+  return end.kind === 'done';
+}
+
+const jobBlob = (job: Job) => new Blob([`${JSON.stringify(job, null, 2)}\n`], { type: 'application/json' });
+
+function addFile(format: string, { blob, name }: { blob: Blob; name: string }): void {
+  const { value } = outcome;
+  if (!value) return;
+  const link: FileLink = { address: URL.createObjectURL(blob), name };
+  outcome.value = { ...value, files: { ...value.files, [format]: link } };
+}
+
+/** The result goes, with the memory that its files hold. */
+export function forgetOutcome(): void {
+  forgetFiles();
+  outcome.value = null;
+}
+
+function forgetFiles(): void {
+  for (const { address } of Object.values(outcome.value?.files ?? {})) URL.revokeObjectURL(address);
+}
+
+function showProblems(found: readonly Problem[]): void {
+  const told = found.filter((problem) => problem.code !== 'cancelled');
+  const byField: Record<string, string> = {};
+  for (const { code, field, message } of told) if (code === 'invalidParameter' && field) byField[field] = message;
+  problems.value = byField;
+  alerts.value = told.map(sentenceOf);
+  if (told.some((problem) => problem.code === 'internal')) client.restart(); // it may be in disorder
+}
+
+function sentenceOf({ code, field, message }: Problem): string {
+  if (code === 'internal') return `The run failed: ${message}. Try it once more, or with a smaller picture.`;
+  const title = fields.value.find((f) => f.key === field)?.title;
+  if (title) return `${title} ${message}.`;
+  const what = field === inputRole.value ? `“${picture.value?.name ?? entry.value.title}”` : field;
+  return what ? `${what} ${message}.` : `${message}.`;
+}

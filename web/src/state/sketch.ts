@@ -1,0 +1,63 @@
+// The sheet that the brush draws on. Each stroke becomes stones as soon as it is drawn.
+
+import { signal } from '@preact/signals';
+import type { Point } from '../stage/view';
+import { usePicture } from './pictures';
+import { sketching } from './store';
+
+export interface Stroke {
+  width: number; // px of the sheet
+  erase: boolean;
+  points: readonly Point[];
+}
+
+export const kSheet = { width: 1200, height: 800 };
+export const kBrushes = [
+  { title: 'Thin brush', width: 14 },
+  { title: 'Medium brush', width: 36 },
+  { title: 'Broad brush', width: 84 },
+] as const;
+
+export const strokes = signal<readonly Stroke[]>([]);
+export const brush = signal<number>(kBrushes[1].width);
+export const erasing = signal(false);
+
+type Context2D = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
+export function drawStroke(context: Context2D, { width, erase, points }: Stroke): void {
+  const [first, ...others] = points;
+  if (!first) return;
+  context.strokeStyle = erase ? '#fff' : '#000';
+  context.lineWidth = width;
+  context.lineCap = context.lineJoin = 'round';
+  context.beginPath();
+  context.moveTo(first.x, first.y);
+  context.lineTo(first.x, first.y); // a dot is a stroke, too
+  for (const { x, y } of others) context.lineTo(x, y);
+  context.stroke();
+}
+
+async function useSheet(): Promise<void> {
+  const canvas = new OffscreenCanvas(kSheet.width, kSheet.height);
+  const context = canvas.getContext('2d', { alpha: false });
+  if (!context) return;
+  context.fillStyle = '#fff';
+  context.fillRect(0, 0, kSheet.width, kSheet.height);
+  for (const stroke of strokes.value) drawStroke(context, stroke);
+  await usePicture(await canvas.convertToBlob(), 'drawing.png');
+}
+
+function setStrokes(next: readonly Stroke[]): void {
+  strokes.value = next;
+  void useSheet();
+}
+
+/** With the sheet as it was left, or an empty one. */
+export function startSketch(): void {
+  sketching.value = true;
+  void useSheet();
+}
+
+export const addStroke = (stroke: Stroke) => setStrokes([...strokes.value, stroke]);
+export const undoStroke = () => strokes.value.length > 0 && setStrokes(strokes.value.slice(0, -1));
+export const clearSheet = () => strokes.value.length > 0 && setStrokes([]);

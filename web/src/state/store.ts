@@ -1,0 +1,76 @@
+// What the page knows. Everything shown follows from these signals; only the modules beside this one set them.
+
+import { computed, signal } from '@preact/signals';
+import type { Job, RunResult } from 'tessera-wasm';
+import { pavement } from '../techniques/pavement';
+import { entryOf } from '../techniques/index';
+import type { Size } from '../stage/view';
+import type { Backend, EngineInfo, PieceFacts } from '../worker/protocol';
+import { fieldsOf, type Params } from './form';
+import { historyOf, type History } from './history';
+
+/** What undo and redo walk through. */
+export interface Edits {
+  params: Params;
+  seed: number;
+}
+
+export interface PictureInfo extends Size {
+  name: string;
+  /** The sample's name, or null for the visitor's own. */
+  sample: string | null;
+}
+
+export interface Run {
+  stage: string;
+  fraction: number;
+  iteration: { index: number; last: number } | null;
+  since: number;
+  /** On a smaller copy, with the whole to follow. */
+  reduced: boolean;
+}
+
+export interface FileLink {
+  address: string;
+  name: string;
+}
+
+export interface Outcome {
+  job: Job;
+  result: RunResult;
+  milliseconds: number;
+  reduced: boolean;
+  /** By format; grows while the files are made. */
+  files: Readonly<Record<string, FileLink>>;
+}
+
+export const engine = signal<EngineInfo | null>(null);
+export const technique = signal(pavement.name);
+export const edits = signal<History<Edits>>(historyOf({ params: {}, seed: 1 }));
+export const picture = signal<PictureInfo | null>(null);
+export const run = signal<Run | null>(null);
+export const outcome = signal<Outcome | null>(null);
+/** What became of the last run, in a few words for everybody: "Cancelled". */
+export const notice = signal('');
+export const alerts = signal<readonly string[]>([]);
+/** Problems of single parameters, by key. */
+export const problems = signal<Readonly<Record<string, string>>>({});
+export const backend = signal<Backend>('auto');
+export const piece = signal<PieceFacts | null>(null);
+export const sketching = signal(false);
+
+export const entry = computed(() => entryOf(technique.value) ?? pavement);
+export const fields = computed(() => (engine.value ? fieldsOf(engine.value.schema, technique.value) : []));
+export const params = computed(() => edits.value.present.params);
+export const seed = computed(() => edits.value.present.seed);
+export const inputRole = computed(() => {
+  const known = engine.value?.techniques.find((t) => t.name === technique.value);
+  return known?.inputs[0]?.name ?? 'drawing';
+});
+
+export const alertWith = (...messages: string[]): void => {
+  alerts.value = messages;
+};
+export const clearAlerts = () => {
+  if (alerts.value.length) alerts.value = [];
+};

@@ -1,0 +1,42 @@
+import { useSignal } from '@preact/signals';
+import { ChevronUp, Play, Square } from 'lucide-preact';
+import { cancel, generate } from '../state/runner';
+import { engine, picture, run } from '../state/store';
+import { Parameters, Presets } from './Parameters';
+import { PictureInput } from './PictureInput';
+
+/** On the right; on a phone a sheet of which only the head is seen until it is pulled up. */
+export function Panel() {
+  const open = useSignal(false);
+  return (
+    <aside class="panel" aria-label="Parameters" data-open={open.value}>
+      <div class="panel-head">
+        <button
+          type="button"
+          class="sheet-handle"
+          aria-expanded={open.value}
+          aria-controls="panel-body"
+          onClick={() => (open.value = !open.value)}
+        >
+          <ChevronUp size={20} aria-hidden />
+          Parameters
+        </button>
+        <div class="run-buttons">
+          <button type="button" class="button primary" disabled={!engine.value || !picture.value} onClick={generate}>
+            <Play size={16} aria-hidden />
+            Generate
+          </button>
+          <button type="button" class="button" disabled={!run.value} onClick={() => void cancel()}>
+            <Square size={14} aria-hidden />
+            Cancel
+          </button>
+        </div>
+      </div>
+      <div class="panel-body" id="panel-body">
+        <PictureInput />
+        <Presets />
+        <Parameters />
+      </div>
+    </aside>
+  );
+}

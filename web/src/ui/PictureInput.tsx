@@ -1,0 +1,108 @@
+import { useSignal } from '@preact/signals';
+import { Brush, ImageUp, Type } from 'lucide-preact';
+import { usePicture, useSample } from '../state/pictures';
+import { startSketch } from '../state/sketch';
+import { entry, picture, sketching } from '../state/store';
+import { useWord } from '../state/word';
+
+export const kPictureTypes = 'image/png,image/jpeg,image/webp,image/bmp,image/gif,image/tiff,.tif,.tiff';
+
+/** Where the picture comes from: a file, the brush, a word, or one of the samples. */
+export function PictureInput() {
+  const typing = useSignal(false);
+  return (
+    <section class="group" aria-labelledby="picture-title">
+      <h2 id="picture-title">Picture</h2>
+      <div class="sources">
+        <label class="source">
+          <input type="file" class="unseen" accept={kPictureTypes} onChange={onFile} />
+          <ImageUp size={20} aria-hidden />
+          Image
+        </label>
+        <button
+          type="button"
+          class="source"
+          aria-pressed={sketching.value}
+          onClick={() => (sketching.value ? (sketching.value = false) : startSketch())}
+        >
+          <Brush size={20} aria-hidden />
+          Draw
+        </button>
+        <button
+          type="button"
+          class="source"
+          aria-expanded={typing.value}
+          aria-controls="word"
+          onClick={() => (typing.value = !typing.value)}
+        >
+          <Type size={20} aria-hidden />
+          Type
+        </button>
+      </div>
+      {typing.value && <WordField />}
+      <div class="samples" role="group" aria-label="Samples">
+        {entry.value.samples.map((sample) => (
+          <button
+            type="button"
+            key={sample.name}
+            class="sample"
+            aria-pressed={picture.value?.sample === sample.name}
+            onClick={() => {
+              sketching.value = false;
+              void useSample(sample);
+            }}
+          >
+            <img src={sample.file} alt="" width={76} height={56} decoding="async" draggable={false} />
+            {sample.title}
+          </button>
+        ))}
+      </div>
+      {picture.value && picture.value.sample === null && (
+        <p class="picture-name" title={picture.value.name}>
+          {picture.value.name}
+          <span>
+            {' '}
+            {picture.value.width} × {picture.value.height}
+          </span>
+        </p>
+      )}
+    </section>
+  );
+}
+
+async function onFile(event: Event & { currentTarget: HTMLInputElement }): Promise<void> {
+  const input = event.currentTarget;
+  const file = input.files?.[0];
+  if (!file) return;
+  sketching.value = false;
+  await usePicture(file, file.name);
+  input.value = ''; // so that the same file can be chosen again
+}
+
+function WordField() {
+  const text = useSignal('');
+  return (
+    <form
+      id="word"
+      class="word"
+      onSubmit={(event) => {
+        event.preventDefault();
+        sketching.value = false;
+        void useWord(text.value);
+      }}
+    >
+      <input
+        type="text"
+        aria-label="Word"
+        placeholder="A word, such as Rio"
+        maxLength={40}
+        value={text.value}
+        onInput={(event) => (text.value = event.currentTarget.value)}
+        autoFocus
+      />
+      <button type="submit" class="button" disabled={!text.value.trim()}>
+        Pave it
+      </button>
+    </form>
+  );
+}

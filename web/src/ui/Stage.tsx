@@ -1,0 +1,71 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { painter } from '../state/page';
+import { entry, outcome, picture, sketching } from '../state/store';
+import { listenToGestures } from '../stage/gestures';
+import { stageSize } from '../stage/viewport';
+import { Divider } from './Divider';
+import { LayerSwitches } from './LayerSwitches';
+import { PieceLabel } from './PieceLabel';
+import { Sketch } from './Sketch';
+import { ZoomTools } from './ZoomTools';
+
+export function Stage() {
+  return (
+    <section class="stage" aria-label="Stage">
+      <StageCanvas />
+      {sketching.value ? (
+        <Sketch />
+      ) : (
+        <>
+          <Divider />
+          <LayerSwitches />
+          <PieceLabel />
+        </>
+      )}
+      <ZoomTools />
+    </section>
+  );
+}
+
+function StageCanvas() {
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = box.current;
+    const canvas = element?.querySelector('canvas');
+    if (!element || !canvas) return;
+    const offscreen = canvas.transferControlToOffscreen();
+    painter.postMessage({ type: 'canvas', canvas: offscreen }, [offscreen]);
+    const resized = new ResizeObserver(() => {
+      const { clientWidth: width, clientHeight: height } = element;
+      stageSize.value = { width, height };
+      painter.postMessage({ type: 'stage', width, height, ratio: devicePixelRatio });
+    });
+    resized.observe(element);
+    const silence = listenToGestures(element);
+    return () => {
+      resized.disconnect();
+      silence();
+    };
+  }, []);
+  return (
+    <div
+      ref={box}
+      class="stage-canvas"
+      tabIndex={0}
+      role="img"
+      aria-label={description()}
+      aria-describedby="stage-keys"
+    >
+      <canvas />
+      <p id="stage-keys" class="unseen">
+        Arrow keys move, plus and minus zoom, 0 fits, 1 shows true size.
+      </p>
+    </div>
+  );
+}
+
+function description(): string {
+  const { value: done } = outcome;
+  const facts = done ? `: ${entry.value.facts(done.result).join(', ')}` : '';
+  return `${entry.value.title} of ${picture.value?.name ?? 'nothing yet'}${facts}`;
+}

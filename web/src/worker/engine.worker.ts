@@ -1,0 +1,132 @@
+// The engine's thread. Calls into it block until they are done; what happens meanwhile is posted from its callbacks.
+
+import { createTessera, TesseraError, type Iteration, type Picture, type Problem, type Tessera } from 'tessera-wasm';
+import { bitmapOf, decode, PictureError, scaled } from './decode';
+import { parsePieces, transferable } from './pieces';
+import type { EngineToPainter, FromEngine, RunRequest, ToEngine } from './protocol';
+import { scope } from './scope';
+
+const kPreviewPixels = 1_000_000;
+const kPreviewSites = 30_000;
+const kPreviewPause = 33; // ms
+const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
+
+let engine: Tessera | undefined;
+let painter: MessagePort | undefined;
+let newest = 0; // request; an older one makes no more files
+const pictures = new Map<string, { whole: Picture; reduced?: { scale: number; picture: Picture } }>();
+
+const tell = (message: FromEngine) => scope.postMessage(message);
+const show = (message: EngineToPainter, transfer: Transferable[]) => painter?.postMessage(message, transfer);
+/** Lets messages in that have come meanwhile. */
+const breathe = () => new Promise<void>((resolve) => setTimeout(resolve));
+
+const problemsOf = (error: unknown): readonly Problem[] =>
+  error instanceof TesseraError
+    ? error.problems
+    : [{ code: 'internal', field: '', message: error instanceof Error ? error.message : String(error) }];
+
+async function boot({ base, threads, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
+  painter = port;
+  try {
+    engine = await createTessera({ threads, locateFile: (name) => new URL(`engine/${name}`, base).href });
+    const gl = engine.useCanvas(new OffscreenCanvas(1, 1));
+    const { version, schema, techniques, stopFlag } = engine;
+    tell({ type: 'ready', info: { version, threads: engine.threads, schema, techniques, gl }, stopFlag });
+  } catch (error) {
+    tell({ type: 'broken', message: problemsOf(error)[0]?.message ?? '' });
+  }
+}
+
+async function takePicture({ id, role, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
+  try {
+    const whole = await decode(blob, name);
+    pictures.set(role, { whole });
+    const bitmap = await bitmapOf(whole);
+    show({ type: 'source', bitmap, width: whole.width, height: whole.height }, [bitmap]);
+    tell({ type: 'picture', id, width: whole.width, height: whole.height });
+  } catch (error) {
+    const message = error instanceof PictureError ? error.message : `“${name}” cannot be read. Choose another file.`;
+    tell({ type: 'refused', id, message });
+  }
+}
+
+/** The engine's copy of each picture, whole or reduced as this run wants it. */
+async function setInputs(tessera: Tessera, scale: number): Promise<void> {
+  for (const [role, held] of pictures) {
+    if (scale < 1 && held.reduced?.scale !== scale) {
+      held.reduced = { scale, picture: await scaled(held.whole, scale) };
+    }
+    tessera.setInput(role, scale < 1 ? (held.reduced?.picture ?? null) : held.whole);
+  }
+}
+
+async function run(id: number, request: RunRequest): Promise<void> {
+  if (!engine) return;
+  newest = id;
+  try {
+    await setInputs(engine, request.scale);
+    if (newest !== id) return;
+    const begin = performance.now();
+    const result = engine.run(request.job, {
+      backend: request.backend,
+      onStage: (stage) => tell({ type: 'stage', id, stage }),
+      onProgress: (fraction) => tell({ type: 'progress', id, fraction }),
+      onWarning: (message) => tell({ type: 'warning', id, message }),
+      onIteration: previewer(id, request.scale),
+    });
+    const milliseconds = performance.now() - begin;
+    const svg = engine.artifact('svg').bytes;
+    const pieces = parsePieces(engine.artifact('json').bytes);
+    const ground = kGround.exec(new TextDecoder().decode(svg.subarray(0, 8192)))?.[1] ?? '#96928a';
+    show({ type: 'pieces', id, pieces, ground, scale: request.scale }, transferable(pieces));
+    tell({ type: 'done', id, result, milliseconds });
+    if (request.scale === 1) await makeFiles(engine, id, request.formats);
+  } catch (error) {
+    tell({ type: 'problems', id, problems: [...problemsOf(error)] });
+  }
+}
+
+/** About thirty previews a second, and always the last one, which stays to be looked at. */
+function previewer(id: number, scale: number): (iteration: Iteration) => void {
+  let shown = -Infinity;
+  return (iteration) => {
+    const { index, last } = iteration;
+    if (index < last && performance.now() - shown < kPreviewPause) return;
+    const preview = iteration.draw(kPreviewPixels, kPreviewSites);
+    const { cells, palette, sites } = preview;
+    show({ type: 'preview', id, preview, scale }, [cells.buffer, palette.buffer, sites.buffer] as ArrayBuffer[]);
+    tell({ type: 'iteration', id, index, last });
+    shown = performance.now();
+  };
+}
+
+async function makeFiles(tessera: Tessera, id: number, formats: readonly string[]): Promise<void> {
+  for (const format of formats) {
+    await breathe();
+    if (newest !== id) return;
+    const { bytes, mediaType } = tessera.artifact(format);
+    tell({ type: 'file', id, format, blob: new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mediaType }) });
+  }
+}
+
+function read(id: number, text: string): void {
+  try {
+    if (engine) tell({ type: 'job', id, job: engine.readJob(text) });
+  } catch (error) {
+    tell({ type: 'problems', id, problems: [...problemsOf(error)] });
+  }
+}
+
+scope.onmessage = ({ data }: MessageEvent<ToEngine>) => {
+  switch (data.type) {
+    case 'boot':
+      return void boot(data);
+    case 'picture':
+      return void takePicture(data);
+    case 'run':
+      return void run(data.id, data.request);
+    case 'read':
+      return read(data.id, data.text);
+  }
+};

@@ -1,0 +1,97 @@
+// Pieces as flat arrays, which cross between threads without a copy, from the engine's GeoJSON.
+
+export interface Pieces {
+  /** Of the picture, px. */
+  width: number;
+  height: number;
+  count: number;
+  /** "stone". */
+  kind: string;
+  /** The number in a piece's name: 17 of "stone-17". */
+  ids: Uint32Array;
+  /** Piece i has the rings from pieceStarts[i] to pieceStarts[i + 1]; ring r the points from ringStarts[r] on. */
+  pieceStarts: Uint32Array;
+  ringStarts: Uint32Array;
+  /** x, y. */
+  points: Float32Array;
+  palette: string[];
+  /** Index into palette. */
+  colours: Uint16Array;
+  areas: Float32Array;
+  vertices: Uint16Array;
+  /** Degrees, 0 to 180, x towards y. */
+  orientations: Float32Array;
+}
+
+interface Feature {
+  properties: { id: string; colour: string; area: number; vertices: number; orientation: number };
+  geometry: { coordinates: [number, number][][] };
+}
+
+const kNewline = 10;
+
+/**
+ * The writer puts each Feature on a line of its own; read line by line, a large sheet needs a fraction of the memory
+ * that one JSON.parse takes.
+ */
+export function parsePieces(json: Uint8Array): Pieces {
+  const utf8 = new TextDecoder();
+  const features: Feature[] = [];
+  let bbox: number[] = [];
+  for (let start = 0; start < json.length;) {
+    const found = json.indexOf(kNewline, start);
+    const end = found < 0 ? json.length : found;
+    const line = utf8.decode(json.subarray(start, end)).replace(/,$/, '');
+    if (line.startsWith('{"type":"Feature",')) features.push(JSON.parse(line) as Feature);
+    else if (start === 0) bbox = JSON.parse(line + ']}').bbox ?? [];
+    start = end + 1;
+  }
+  return packPieces(features, bbox[2] ?? 0, bbox[3] ?? 0);
+}
+
+function packPieces(features: readonly Feature[], width: number, height: number): Pieces {
+  const count = features.length;
+  const rings = features.reduce((sum, f) => sum + f.geometry.coordinates.length, 0);
+  const points = features.reduce((sum, f) => f.geometry.coordinates.reduce((s, r) => s + r.length - 1, sum), 0);
+  const palette = new Map<string, number>();
+  const pieces: Pieces = {
+    width,
+    height,
+    count,
+    kind: features[0]?.properties.id.replace(/-\d+$/, '') ?? 'piece',
+    ids: new Uint32Array(count),
+    pieceStarts: new Uint32Array(count + 1),
+    ringStarts: new Uint32Array(rings + 1),
+    points: new Float32Array(2 * points),
+    palette: [],
+    colours: new Uint16Array(count),
+    areas: new Float32Array(count),
+    vertices: new Uint16Array(count),
+    orientations: new Float32Array(count),
+  };
+  let ring = 0;
+  let point = 0;
+  features.forEach(({ properties, geometry }, i) => {
+    pieces.ids[i] = Number(properties.id.slice(pieces.kind.length + 1));
+    if (!palette.has(properties.colour)) palette.set(properties.colour, palette.size);
+    pieces.colours[i] = palette.get(properties.colour) ?? 0;
+    pieces.areas[i] = properties.area;
+    pieces.vertices[i] = properties.vertices;
+    pieces.orientations[i] = properties.orientation;
+    for (const coordinates of geometry.coordinates) {
+      // GeoJSON repeats a ring's first point at its end.
+      for (const [x, y] of coordinates.slice(0, -1)) {
+        pieces.points[2 * point] = x;
+        pieces.points[2 * point + 1] = y;
+        ++point;
+      }
+      pieces.ringStarts[++ring] = point;
+    }
+    pieces.pieceStarts[i + 1] = ring;
+  });
+  pieces.palette = [...palette.keys()];
+  return pieces;
+}
+
+export const transferable = (pieces: Pieces): Transferable[] =>
+  Object.values(pieces).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));

@@ -1,0 +1,84 @@
+// What the page, the engine's worker and the painter's worker say to each other.
+
+import type { Job, JobSchema, Preview, Problem, RunResult, Technique } from 'tessera-wasm';
+import type { Point, View } from '../stage/view';
+import type { Pieces } from './pieces';
+
+export type Backend = 'auto' | 'cpu' | 'gl';
+
+export interface EngineInfo {
+  version: string;
+  threads: number;
+  schema: JobSchema;
+  techniques: Technique[];
+  gl: { works: boolean; software: boolean; renderer: string };
+}
+
+export interface RunRequest {
+  job: Job;
+  backend: Backend;
+  /** Side of the picture to run on, as a part of the whole's; below 1 no files are made. */
+  scale: number;
+  /** Files to make once the pieces are there, in this order. */
+  formats: string[];
+}
+
+export type ToEngine =
+  | { type: 'boot'; base: string; threads: number; painter: MessagePort }
+  | { type: 'picture'; id: number; role: string; name: string; blob: Blob }
+  | { type: 'run'; id: number; request: RunRequest }
+  | { type: 'read'; id: number; text: string };
+
+export type FromEngine =
+  | { type: 'ready'; info: EngineInfo; stopFlag: Int32Array | null }
+  | { type: 'broken'; message: string }
+  | { type: 'picture'; id: number; width: number; height: number }
+  | { type: 'refused'; id: number; message: string }
+  | { type: 'stage'; id: number; stage: string }
+  | { type: 'progress'; id: number; fraction: number }
+  | { type: 'iteration'; id: number; index: number; last: number }
+  | { type: 'warning'; id: number; message: string }
+  | { type: 'done'; id: number; result: RunResult; milliseconds: number }
+  | { type: 'problems'; id: number; problems: Problem[] }
+  | { type: 'file'; id: number; format: string; blob: Blob }
+  | { type: 'job'; id: number; job: Job };
+
+/** Straight from the engine's worker to the painter's: pixels do not pass through the page. `id` is the run's. */
+export type EngineToPainter =
+  | { type: 'source'; bitmap: ImageBitmap; width: number; height: number }
+  | { type: 'preview'; id: number; preview: Preview; scale: number }
+  | { type: 'pieces'; id: number; pieces: Pieces; ground: string; scale: number };
+
+export const kLayers = ['source', 'edges', 'direction', 'sites', 'cells', 'stones'] as const;
+export type Layer = (typeof kLayers)[number];
+export type Layers = Readonly<Record<Layer, boolean>>;
+
+export interface Look {
+  layers: Layers;
+  /** Part of the stage, from its left, that shows the source. */
+  divider: number;
+  accent: string;
+  line: string;
+  /** No transitions. */
+  calm: boolean;
+}
+
+export type ToPainter =
+  | { type: 'canvas'; canvas: OffscreenCanvas }
+  | { type: 'engine'; port: MessagePort }
+  | { type: 'stage'; width: number; height: number; ratio: number }
+  | { type: 'view'; view: View }
+  | { type: 'look'; look: Look }
+  | { type: 'point'; at: Point | null }
+  /** Forget runs up to this one that have not come to an end. */
+  | { type: 'drop'; upTo: number };
+
+export interface PieceFacts {
+  kind: string;
+  id: number;
+  area: number;
+  vertices: number;
+  orientation: number;
+}
+
+export type FromPainter = { type: 'piece'; piece: PieceFacts | null };
