@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals';
+import { effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import './style/base.css';
 import './style/layout.css';
@@ -36,7 +36,7 @@ effect(() => {
   window.tessera = { version: info.version, threads: info.threads, isolated: crossOriginIsolated, gl: info.gl };
   if (opened) return; // an engine that came up after another was stopped
   opened = true;
-  void openAddress().then(bindAddress);
+  void untracked(openAddress).then(bindAddress);
 });
 
 // After the first stones, so as not to compete with them for the line.

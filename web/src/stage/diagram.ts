@@ -6,7 +6,7 @@ import type { Context } from './stones';
 import type { Size, View } from './view';
 
 const kJoint: Rgba = [150, 146, 138, 255];
-const kSpacing = 15; // CSS px between strokes of the direction field
+const kSpacing = 18; // CSS px between strokes of the direction field
 
 export class Diagram {
   private readonly images = new Map<string, OffscreenCanvas>();

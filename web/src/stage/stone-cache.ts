@@ -6,6 +6,7 @@ import type { Context, StoneDrawing } from './stones';
 const kFluent = 12; // ms
 const kSettled = 90; // ms without a change of the view
 const kOverviewSide = 1600;
+const kFineLines = 2.5; // device px of a source pixel below which grout is finer than a canvas can draw well
 
 export class StoneCache {
   private readonly canvas = new OffscreenCanvas(1, 1);
@@ -46,7 +47,8 @@ export class StoneCache {
     if (!context) return;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, width, height);
-    stones.draw(context, view, stage, ratio);
+    if (view.scale * ratio < kFineLines) drawFine(context, stones, view, stage, ratio);
+    else stones.draw(context, view, stage, ratio);
     this.drawn = { stones, view, stage, ratio };
     this.cost = performance.now() - begin;
   }
@@ -59,6 +61,17 @@ export class StoneCache {
     const side = ratio * view.scale;
     context.drawImage(this.overview.canvas, ratio * view.x, ratio * view.y, width * side, height * side);
   }
+}
+
+/** Twice as large, then halved: fewer grey levels would make thin grout look like noise. */
+function drawFine(context: Context, stones: StoneDrawing, view: View, stage: Size, ratio: number): void {
+  const { width, height } = context.canvas;
+  const large = new OffscreenCanvas(2 * width, 2 * height);
+  const drawing = large.getContext('2d');
+  if (!drawing) return;
+  stones.draw(drawing, view, stage, 2 * ratio);
+  context.imageSmoothingQuality = 'low';
+  context.drawImage(large, 0, 0, width, height);
 }
 
 function overviewOf(stones: StoneDrawing): OffscreenCanvas {

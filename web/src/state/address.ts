@@ -10,6 +10,8 @@ import { historyOf } from './history';
 import { runSoon } from './runner';
 import { alertWith, edits, engine, fields, params, picture, seed, technique } from './store';
 
+const kPause = 250; // ms; browsers refuse a page that writes the address at every step of a slider
+
 /** The job that the address names, or the first sample with all defaults. Needs the engine's schema. */
 export async function openAddress(): Promise<void> {
   const address = readHash(location.hash);
@@ -37,9 +39,11 @@ function paramsOf(address: Address): { known: Params; foreign: string[] } {
 
 /** Follows changes from now on, both ways. */
 export function bindAddress(): void {
+  let timer = 0;
   effect(() => {
     const hash = writeHash(technique.value, seed.value, picture.value?.sample ?? null, params.value);
-    if (picture.value && hash !== location.hash) history.replaceState(null, '', hash);
+    clearTimeout(timer);
+    timer = window.setTimeout(() => history.replaceState(null, '', hash), kPause);
   });
   addEventListener('hashchange', () => {
     const address = readHash(location.hash);

@@ -16,7 +16,7 @@ function facts({ counts, metrics }: RunResult): string[] {
 export const pavement: TechniqueEntry = {
   name: 'pavement',
   title: 'Pavement',
-  sentence: 'Every single stone of a Portuguese pavement, cut from your drawing.',
+  sentence: 'Drawings laid in Portuguese paving stones.',
   icon: PavementIcon,
   samples: [
     { name: 'waves', title: 'Waves', file: 'samples/waves.png' },

@@ -11,13 +11,15 @@ export function App() {
   return (
     <div class="app">
       <Tabs />
-      <main id="work" class="work" role="tabpanel" aria-labelledby={`tab-${technique.value}`}>
-        <Header />
-        <div class="stage-frame">
-          <Stage />
-          <Alerts />
+      <main>
+        <div id="work" class="work" role="tabpanel" aria-labelledby={`tab-${technique.value}`}>
+          <Header />
+          <div class="stage-frame">
+            <Stage />
+            <Alerts />
+          </div>
+          <Bar />
         </div>
-        <Bar />
       </main>
       <Panel />
       <DropTarget />

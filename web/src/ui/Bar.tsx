@@ -11,7 +11,7 @@ export function Bar() {
   const { value: done } = outcome;
   const percent = running ? Math.round(running.fraction * 100) : done ? 100 : 0;
   return (
-    <footer class="bar" data-busy={running !== null}>
+    <div class="bar" data-busy={running !== null}>
       <div
         class="progress"
         role="progressbar"
@@ -27,7 +27,7 @@ export function Bar() {
         {!running && (notice.value || (done && entry.value.facts(done.result).join(', ')))}
       </p>
       <Downloads />
-    </footer>
+    </div>
   );
 }
 

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { Check, FolderOpen, Moon, Redo2, Share2, Sun, SunMoon, Undo2 } from 'lucide-preact';
+import { Check, Contrast, FolderOpen, Moon, Redo2, Share2, Sun, Undo2 } from 'lucide-preact';
 import { redo, undo } from '../state/edits';
 import { openJob } from '../state/jobs';
 import { alertWith, edits, entry } from '../state/store';
@@ -21,7 +21,7 @@ export function Header() {
           class="tool"
           aria-label="Undo"
           title="Undo (Ctrl+Z)"
-          disabled={!past.length}
+          aria-disabled={!past.length}
           onClick={undo}
         >
           <Undo2 size={18} aria-hidden />
@@ -31,7 +31,7 @@ export function Header() {
           class="tool"
           aria-label="Redo"
           title="Redo (Ctrl+Shift+Z)"
-          disabled={!future.length}
+          aria-disabled={!future.length}
           onClick={redo}
         >
           <Redo2 size={18} aria-hidden />
@@ -75,7 +75,7 @@ function ShareButton() {
   );
 }
 
-const kThemeIcons = { auto: SunMoon, light: Sun, dark: Moon };
+const kThemeIcons = { auto: Contrast, light: Sun, dark: Moon };
 
 function ThemeButton() {
   const Icon = kThemeIcons[theme.value];

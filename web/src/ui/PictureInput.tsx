@@ -1,4 +1,5 @@
 import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
 import { Brush, ImageUp, Type } from 'lucide-preact';
 import { usePicture, useSample } from '../state/pictures';
 import { startSketch } from '../state/sketch';
@@ -81,6 +82,8 @@ async function onFile(event: Event & { currentTarget: HTMLInputElement }): Promi
 
 function WordField() {
   const text = useSignal('');
+  const input = useRef<HTMLInputElement>(null);
+  useEffect(() => input.current?.focus(), []);
   return (
     <form
       id="word"
@@ -92,13 +95,13 @@ function WordField() {
       }}
     >
       <input
+        ref={input}
         type="text"
         aria-label="Word"
         placeholder="A word, such as Rio"
         maxLength={40}
         value={text.value}
         onInput={(event) => (text.value = event.currentTarget.value)}
-        autoFocus
       />
       <button type="submit" class="button" disabled={!text.value.trim()}>
         Pave it

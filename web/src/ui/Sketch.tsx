@@ -107,10 +107,16 @@ function SketchTools() {
         </button>
       ))}
       <span class="tool-gap" />
-      <button type="button" class="tool" aria-label="Take back the last stroke" disabled={empty} onClick={undoStroke}>
+      <button
+        type="button"
+        class="tool"
+        aria-label="Take back the last stroke"
+        aria-disabled={empty}
+        onClick={undoStroke}
+      >
         <Undo2 size={18} aria-hidden />
       </button>
-      <button type="button" class="tool" aria-label="Clear the sheet" disabled={empty} onClick={clearSheet}>
+      <button type="button" class="tool" aria-label="Clear the sheet" aria-disabled={empty} onClick={clearSheet}>
         <Trash2 size={18} aria-hidden />
       </button>
       <span class="tool-gap" />
