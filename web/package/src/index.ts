@@ -58,6 +58,11 @@ async function nodeFactory(path: string): Promise<Factory> {
   return createRequire(import.meta.url)(path) as Factory;
 }
 
+async function readInNode(path: string): Promise<Uint8Array> {
+  const { readFile } = await importAtRunTime('node:fs/promises');
+  return readFile(path) as Promise<Uint8Array>;
+}
+
 async function browserFactory(address: string): Promise<Factory> {
   return ((await importAtRunTime(address)) as { default: Factory }).default;
 }
@@ -89,6 +94,7 @@ export async function createTessera(options: TesseraOptions = {}): Promise<Tesse
   const script = files.get(`tessera-${variant}.js`)!;
   const factory = await (inNode ? nodeFactory(script) : browserFactory(files.get(`tessera-${variant}.mjs`)!));
   const module = await factory({
+    ...(inNode && { wasmBinary: await readInNode(files.get(`tessera-${variant}.wasm`)!) }), // fetch() knows no paths
     poolSize: threads,
     mainScriptUrlOrBlob: script, // what the threads' workers load
     locateFile: (name: string) => files.get(name) ?? name,

@@ -1,0 +1,114 @@
+// The package as a third party imports it in node: what it makes, and that the native program makes the same.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { createTessera, TesseraError } from 'tessera-wasm';
+import { assertSameStones } from './same_stones.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const tessera = join(root, 'build/native-release/bin/tessera');
+
+/** A black disc on white: the pixels, and the same as a BMP file. */
+function disc(size) {
+  const data = new Uint8Array(4 * size * size).fill(255);
+  const file = Buffer.alloc(54 + data.length);
+  file.write('BM');
+  file.writeUInt32LE(file.length, 2);
+  file.writeUInt32LE(54, 10);
+  file.writeUInt32LE(40, 14);
+  file.writeInt32LE(size, 18);
+  file.writeInt32LE(-size, 22); // rows from the top
+  file.writeUInt16LE(1, 26);
+  file.writeUInt16LE(32, 28);
+  for (let y = 0; y < size; ++y) {
+    for (let x = 0; x < size; ++x) {
+      const inside = Math.hypot(x + 0.5 - size / 2, y + 0.5 - size / 2) < size / 3;
+      if (inside) data.fill(0, 4 * (y * size + x), 4 * (y * size + x) + 3);
+    }
+  }
+  file.set(data, 54);
+  return { picture: { data, width: size, height: size }, file };
+}
+
+const text = (bytes) => new TextDecoder().decode(bytes);
+
+for (const threads of [1, 2]) {
+  test(`makes what the native program makes, with ${threads} thread(s)`, async () => {
+    const core = await createTessera({ threads });
+    assert.equal(core.threads, threads);
+    assert.equal(core.version, readFileSync(join(root, 'VERSION'), 'utf8').trim());
+    const { picture, file } = disc(200);
+    const job = core.readJob('{"schemaVersion": 1, "technique": "pavement", "inputs": {"drawing": "disc.bmp"}}');
+    core.setInput('drawing', picture);
+    const result = core.run(job);
+    assert.equal(result.backend, 'cpu');
+    const svg = text(core.artifact('svg').bytes);
+
+    const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
+    try {
+      writeFileSync(join(folder, 'disc.bmp'), file);
+      writeFileSync(join(folder, 'job.json'), JSON.stringify(job));
+      execFileSync(tessera, ['run', join(folder, 'job.json'), '-o', join(folder, 'stones.svg'), '--backend', 'cpu', '--quiet']);
+      assertSameStones(svg, readFileSync(join(folder, 'stones.svg'), 'utf8'));
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+}
+
+test('reports stages, progress and iterations, and draws them', async () => {
+  const core = await createTessera({ threads: 1 });
+  core.setInput('drawing', disc(120).picture);
+  const job = core.readJob('{"schemaVersion": 1, "technique": "pavement", "params": {"iterations": 3}}');
+  const seen = { stages: [], progress: [], iterations: [], previews: [] };
+  core.run(job, {
+    onStage: (name) => seen.stages.push(name),
+    onProgress: (fraction) => seen.progress.push(fraction),
+    onIteration: (iteration) => {
+      seen.iterations.push(iteration.index);
+      seen.previews.push(iteration.draw(5000, 50));
+    },
+  });
+  assert.deepEqual(seen.iterations, [0, 1, 2, 3]);
+  assert.ok(seen.stages.includes('diagram'));
+  assert.equal(seen.progress.at(-1), 1);
+  assert.deepEqual(seen.progress, seen.progress.toSorted((a, b) => a - b));
+  for (const { width, height, cells, sites, palette } of seen.previews) {
+    assert.ok(width * height <= 5000 && cells.length === width * height);
+    assert.ok(sites.length > 0 && sites.length <= 4 * 50);
+    assert.deepEqual([...palette], [0, 0, 0, 255, 255, 255]);
+  }
+  assert.throws(() => core.run(job, { onIteration: (iteration) => (seen.late = iteration) }) && seen.late.draw(1, 1));
+});
+
+test('names every problem with its field', async () => {
+  const core = await createTessera({ threads: 1 });
+  const job = { schemaVersion: 1, technique: 'pavement', seed: 1, params: { halfSide: 0, colors: 99 }, inputs: {} };
+  assert.deepEqual(core.validate(job).map((problem) => problem.field), ['halfSide', 'colors']);
+  assert.throws(() => core.readJob('no job'), TesseraError);
+  assert.throws(() => core.setInput('drawing', { data: new Uint8Array(3), width: 1, height: 1 }), TesseraError);
+  assert.throws(() => core.artifact('svg'), TesseraError);
+  const good = core.readJob('{"schemaVersion": 1, "technique": "pavement"}');
+  assert.throws(() => core.run(good), /drawing is missing/);
+  core.setInput('drawing', disc(40).picture);
+  core.run(good);
+  assert.throws(() => core.artifact('glb'), TesseraError);
+});
+
+test('stops when it is told to', async () => {
+  const core = await createTessera({ threads: 2 });
+  core.setInput('drawing', disc(200).picture);
+  const job = core.readJob('{"schemaVersion": 1, "technique": "pavement"}');
+  const stopAtTheSecond = ({ index }) => index === 1 && Atomics.store(core.stopFlag, 0, 1);
+  assert.throws(() => core.run(job, { onIteration: stopAtTheSecond }), (error) => error.problems[0].code === 'cancelled');
+  assert.ok(core.run(job).counts.stones > 0);
+});
+
+test('the example works', () => {
+  const output = execFileSync('node', [join(root, 'web/package/examples/pave.mjs')], { encoding: 'utf8' });
+  assert.match(output, /^\d+ stones\n<svg/);
+});
