@@ -4,7 +4,8 @@ import type { Job, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
 import type { EngineInfo, FromEngine, RunRequest, ToEngine, ToPainter } from '../worker/protocol';
 
-const kPatience = 120; // ms that a run may take to stop
+// ms that a run may take to stop. The page shows it as cancelled at once; a fresh engine would take longer than this.
+const kPatience = 300;
 const kMaxThreads = 8;
 
 export interface RunEvents {
@@ -29,6 +30,7 @@ export class EngineClient {
   private threads = globalThis.crossOriginIsolated ? Math.min(navigator.hardwareConcurrency || 1, kMaxThreads) : 1;
   private nextId = 1;
   private last = 0; // run
+  private stopping: Promise<void> | null = null;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private kept: { role: string; name: string; blob: Blob } | null = null;
   private running: { id: number; end: (end: RunEnd) => void; stopped: () => void } | null = null;
@@ -127,7 +129,8 @@ export class EngineClient {
   /** Files may still come after the end; the next run or a cancel is the end of them. */
   async run(request: RunRequest, events: RunEvents): Promise<RunEnd> {
     await this.ready;
-    this.forgetLast();
+    // Files of an earlier run that are still on their way are not wanted any more.
+    this.waiting.delete(this.last);
     const id = (this.last = this.nextId++);
     return new Promise((resolve) => {
       let over = false;
@@ -159,15 +162,15 @@ export class EngineClient {
     });
   }
 
-  /** Files of an earlier run that are still on their way are not wanted any more. */
-  private forgetLast(): void {
-    this.waiting.delete(this.last);
+  /** Resolves once nothing runs any more; the run itself ends as cancelled at once. */
+  cancel(): Promise<void> {
+    this.stopping ??= this.stop().finally(() => (this.stopping = null));
+    return this.stopping;
   }
 
-  /** Resolves once nothing runs any more; the run itself ends as cancelled at once. */
-  async cancel(): Promise<void> {
+  private async stop(): Promise<void> {
     const { running, stopFlag } = this;
-    if (!running) return this.forgetLast();
+    if (!running) return;
     running.end({ kind: 'cancelled' });
     this.painter.postMessage({ type: 'drop', upTo: running.id });
     if (!stopFlag) return this.restart();

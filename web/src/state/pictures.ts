@@ -1,8 +1,8 @@
 // Where pictures come from: samples, files, the brush, a word. Each runs as soon as it is there.
 
 import { client } from './page';
-import { cancel, forgetOutcome, generate } from './runner';
-import { alertWith, edits, entry, inputRole, picture, type PictureInfo } from './store';
+import { forgetOutcome, generate, prepare, stop } from './runner';
+import { alertWith, edits, entry, inputRole, picture, run, type PictureInfo } from './store';
 import { changeParams } from './edits';
 import type { Sample } from '../techniques/entry';
 
@@ -11,19 +11,23 @@ export const isJobFile = (file: File) => /\.(json|svg)$/i.test(file.name) || /js
 
 let newest = 0;
 
-/** True where the picture was taken; else an alert says why not, and everything stays as it was. */
+/** True where the picture was taken and is to run; else an alert says why not, and everything stays as it was. */
 async function take(blob: Blob, name: string, sample: string | null): Promise<boolean> {
   const mine = ++newest;
-  await cancel();
+  await stop();
+  prepare('picture');
   try {
     const size = await client.setPicture(inputRole.value, name, blob);
     if (mine !== newest) return false;
     const old = picture.value;
     if (old?.width !== size.width || old.height !== size.height) forgetOutcome();
     picture.value = { name, sample, width: size.width, height: size.height } satisfies PictureInfo;
-    return true;
+    return run.value !== null; // else cancelled meanwhile
   } catch (error) {
-    if (mine === newest) alertWith(error instanceof Error ? error.message : String(error));
+    if (mine === newest) {
+      run.value = null;
+      alertWith(error instanceof Error ? error.message : String(error));
+    }
     return false;
   }
 }

@@ -39,35 +39,49 @@ export function currentJob(): Job {
   };
 }
 
+/** From now on what is there counts as old; its files are not offered any more. */
+export function prepare(stage = ''): void {
+  batch(() => {
+    clearTimeout(timer);
+    clearAlerts();
+    notice.value = '';
+    run.value = { stage, fraction: 0, iteration: null, since: performance.now(), reduced: false };
+  });
+}
+
 /** After a change of a parameter: soon, and where the picture is large on a smaller copy first. */
 export function runSoon(): void {
-  clearTimeout(timer);
-  clearAlerts();
+  prepare();
   timer = window.setTimeout(() => void start(true), kPause);
 }
 
 export function generate(): void {
-  clearTimeout(timer);
-  clearAlerts();
+  prepare();
   void start(false);
 }
 
 /** Stops what runs and what is about to; what was there before stays. */
-export async function cancel(): Promise<void> {
+export async function stop(): Promise<void> {
   clearTimeout(timer);
   ++newest;
-  batch(() => {
-    if (run.value) notice.value = 'Cancelled';
-    run.value = null;
-  });
+  run.value = null;
   await client.cancel();
+}
+
+export function cancel(): void {
+  void stop();
+  notice.value = 'Cancelled';
 }
 
 async function start(quick: boolean): Promise<void> {
   const mine = ++newest;
   await client.cancel();
   const { value: info } = engine;
-  if (mine !== newest || !info || !picture.value) return;
+  if (mine !== newest) return;
+  if (!info || !picture.value) {
+    run.value = null;
+    return;
+  }
   const job = currentJob();
   const part = quick ? reductionFor(picture.value.width, picture.value.height) : 1;
   if (part < 1 && !(await attempt(mine, reducedJob(job, info.schema, part), part))) return;
@@ -80,7 +94,6 @@ async function attempt(mine: number, job: Job, scale: number): Promise<boolean> 
   if (!info || mine !== newest) return false;
   const reduced = scale < 1;
   batch(() => {
-    notice.value = '';
     problems.value = {};
     run.value = { stage: '', fraction: 0, iteration: null, since: performance.now(), reduced };
   });
@@ -97,7 +110,7 @@ async function attempt(mine: number, job: Job, scale: number): Promise<boolean> 
       progress: (fraction) => update({ fraction }),
       iteration: (index, last) => update({ iteration: { index, last } }),
       warning: (message) => mine === newest && (notice.value = message),
-      file: (format, blob) => mine === newest && addFile(format, { blob, name: `${baseName}.${format}` }),
+      file: (format, blob) => outcome.value?.job === job && addFile(format, { blob, name: `${baseName}.${format}` }),
     },
   );
   if (mine !== newest) return false;

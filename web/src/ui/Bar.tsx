@@ -3,6 +3,7 @@ import { entry, engine, notice, outcome, run, type Outcome, type Run } from '../
 import { timeLeft } from './time-left';
 
 const kFormats = ['svg', 'dxf', 'png', 'glb', 'zip'];
+const kStages: Record<string, string> = { picture: 'Opening the picture' };
 const seconds = new Intl.NumberFormat('en', { maximumFractionDigits: 1 });
 
 /** Below the stage: how far the run is, what came of it, and its files. */
@@ -32,7 +33,7 @@ export function Bar() {
 }
 
 function Going({ run: { stage, iteration, fraction, since, reduced } }: { run: Run }) {
-  const word = entry.value.stages[stage] ?? 'Starting';
+  const word = entry.value.stages[stage] ?? kStages[stage] ?? 'Starting';
   const left = timeLeft(fraction, performance.now() - since);
   return (
     <>

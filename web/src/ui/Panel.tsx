@@ -26,7 +26,7 @@ export function Panel() {
             <Play size={16} aria-hidden />
             Generate
           </button>
-          <button type="button" class="button" aria-disabled={!run.value} onClick={() => run.value && void cancel()}>
+          <button type="button" class="button" aria-disabled={!run.value} onClick={() => run.value && cancel()}>
             <Square size={14} aria-hidden />
             Cancel
           </button>

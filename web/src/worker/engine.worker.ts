@@ -6,8 +6,8 @@ import { parsePieces, transferable } from './pieces';
 import type { EngineToPainter, FromEngine, RunRequest, ToEngine } from './protocol';
 import { scope } from './scope';
 
-const kPreviewPixels = 1_000_000;
-const kPreviewSites = 30_000;
+const kPreviewPixels = 600_000;
+const kPreviewSites = 16_000;
 const kPreviewPause = 33; // ms
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
