@@ -20,8 +20,9 @@ struct GlRasterizerOptions {
 // and where its memory does not suffice. At most 2^24 sites. Time grows with the number of sites times the square of
 // the reach.
 //
-// Tolerance: a pixel's site is the nearest one, or farther by at most 0.5 % of the distance (cones have facets),
-// which happens to less than one pixel in a thousand. Identical sites, and equal distances, go to the lower index.
+// Tolerance: a pixel's site is the nearest one, or farther by at most 0.5 % of the distance (cones have facets) and
+// GL's grid for vertices (1/16 px where it is coarsest), which happens to less than one pixel in a thousand. Identical
+// sites, and equal distances, go to the lower index.
 Result<std::unique_ptr<Rasterizer>> make_gl_rasterizer(const GlRasterizerOptions& options = {});
 
 }  // namespace tessera

@@ -26,7 +26,8 @@ function copyEngine() {
 
 /** One interface a technique: PavementParameters. */
 async function parameterTypes() {
-  const core = await createRequire(import.meta.url)(`${engine}/tessera-single.js`)();
+  const wasmBinary = readFileSync(`${engine}/tessera-single.wasm`);
+  const core = await createRequire(import.meta.url)(`${engine}/tessera-single.js`)({ wasmBinary });
   const schema = JSON.parse(core.schema());
   const texts = Object.entries(schema.$defs).map(([technique, params]) => {
     const name = `${technique[0].toUpperCase()}${technique.slice(1)}Parameters`;

@@ -38,7 +38,8 @@ void expect_connected(const LabelMap& labels, const cv::Mat1b& zones, int cells)
 TEST(ConnectCells, RandomMapsBecomeConnectedWithinTheirZones) {
   for (int seed = 0; seed < 150; ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed), RngPurpose::kSites);
-    const cv::Size size(1 + below(rng, 40), 1 + below(rng, 30));
+    const int width = 1 + below(rng, 40), height = 1 + below(rng, 30);
+    const cv::Size size(width, height);
     const int zones = 1 + seed % 4, cells = seed % 7 == 0 ? 0 : zones + below(rng, 40);
     const cv::Mat1b zone_map = random_zones(size, zones, rng);
     const LabelMap before = random_labels(zone_map, zones, cells, seed % 3 * 0.3, rng);

@@ -106,7 +106,8 @@ struct Case {
 // Connected cells of ragged outline: a Voronoi diagram with noise, mended.
 Case random_case(int seed) {
   Rng rng(static_cast<std::uint64_t>(seed), RngPurpose::kSites);
-  const cv::Size size(1 + below(rng, 36), 1 + below(rng, 28));
+  const int width = 1 + below(rng, 36), height = 1 + below(rng, 28);  // compilers differ in the order of arguments
+  const cv::Size size(width, height);
   Case c{random_zones(size, 1 + seed % 3, rng), LabelMap(size), 1 + below(rng, 25)};
   std::vector<cv::Point> sites(c.cells);
   for (cv::Point& p : sites) p = {below(rng, size.width), below(rng, size.height)};
