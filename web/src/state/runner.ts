@@ -2,6 +2,7 @@
 
 import { batch } from '@preact/signals';
 import type { Job, Problem } from 'tessera-wasm';
+import { valueOf } from './form';
 import { client } from './page';
 import { reducedJob, reductionFor } from './reduce';
 import {
@@ -29,12 +30,13 @@ const kFormats = ['svg', 'dxf', 'png', 'glb', 'zip'];
 let newest = 0;
 let timer = 0;
 
-export function currentJob(): Job {
+/** Complete, so that it means the same where defaults are others. */
+function currentJob(): Job {
   return {
     schemaVersion: 1,
     technique: technique.value,
     seed: seed.value,
-    params: { ...params.value },
+    params: Object.fromEntries(fields.value.map((field) => [field.key, valueOf(field, params.value)])),
     inputs: picture.value ? { [inputRole.value]: picture.value.name } : {},
   };
 }
