@@ -1,11 +1,34 @@
 #include "tessera/voronoi/cpu_rasterizer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/core/utility.hpp>
 
 #include "tessera/voronoi/cpu_kernel.h"
 
 namespace tessera {
 namespace {
+
+// Boxes that cover the canvas as often as kOverdraw says; no distance where caps alone cover more.
+NearDistance choose_near(const SiteBins& bins, std::size_t sites, cv::Size size, Metric metric, float reach) {
+  constexpr double kOverdraw = 2.5;
+  constexpr float kRounding = 1 + 1.0f / 1024, kMargin = 1.0f / 64;  // distances are rounded
+  double sum = 0, products = 0;
+  for (std::size_t k = 0; k < sites; ++k) {
+    const double x = std::min<double>(bins.box_x[k], size.width), y = std::min<double>(bins.box_y[k], size.height);
+    sum += x + y;
+    products += x * y;
+  }
+  const double budget = kOverdraw * size.area() / 4;
+  if (metric == Metric::kChebyshev) {
+    const float near = std::min(reach, static_cast<float>(std::sqrt(budget / products)));
+    return {near, near * kRounding, kMargin};
+  }
+  const double n = static_cast<double>(sites), root = sum * sum - 4 * n * (products - budget);
+  if (root <= sum * sum) return {0, 0, 0};
+  const float near = std::min(reach, static_cast<float>((std::sqrt(root) - sum) / (2 * n)));
+  return {near, kRounding, near * kRounding + kMargin};
+}
 
 class CpuRasterizer : public Rasterizer {
  public:
@@ -28,6 +51,7 @@ class CpuRasterizer : public Rasterizer {
                                     zones_.ptr(),
                                     static_cast<std::ptrdiff_t>(zones_.step1()),
                                     metric_,
+                                    choose_near(bins_, sites.size(), size_, metric_, reach_),
                                     reach_,
                                     labels.ptr<std::int32_t>(),
                                     static_cast<std::ptrdiff_t>(labels.step1()),
