@@ -7,7 +7,6 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/voronoi/cells.h"
-#include "tessera/voronoi/trace.h"
 
 namespace tessera::pavement {
 namespace {
@@ -181,8 +180,8 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
     diagram.reseeded += reseed_empty(sites, moments);
   }
 
-  const int cells = connect_cells(diagram.labels, fields.zones.map, static_cast<int>(sites.size()));
-  diagram.cells = open_enclosures(diagram.labels, fields.zones.map, cells);
+  diagram.cells = connect_cells(diagram.labels, fields.zones.map, static_cast<int>(sites.size()));
+  diagram.graph = open_enclosures(diagram.labels, fields.zones.map, diagram.cells);
   diagram.cell_zone = zones_of_cells(diagram.labels, fields.zones.map, diagram.cells);
   diagram.sites = std::move(sites);
   return diagram;
