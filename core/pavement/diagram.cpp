@@ -92,18 +92,17 @@ class Lloyd {
 };
 
 // Sites for the patches that no site reached: each becomes a cell of its own.
-void seed_unreached(Sites& sites, LabelMap labels, const Fields& fields, const Params& params) {
+void seed_unreached(Sites& sites, const LabelMap& labels, const Fields& fields, const Params& params) {
   const int first = static_cast<int>(sites.size());
-  const int cells = connect_cells(labels, fields.zones.map, first);
-  if (cells == first) return;
+  int cells = first;
+  const CellRuns runs = connected_runs(labels, fields.zones.map, cells);
   std::vector<cv::Point> deepest(cells - first, {-1, -1});
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const int k = labels(y, x) - first;
-      if (k < 0) continue;
-      cv::Point& best = deepest[k];
-      if (best.x < 0 || fields.distance(y, x) > fields.distance(best)) best = {x, y};
-    }
+  for (const int i : runs.changed) {
+    const CellRun& run = runs.all[i];
+    if (run.label < first) continue;
+    cv::Point& best = deepest[run.label - first];
+    for (int x = run.begin; x < run.end; ++x)
+      if (best.x < 0 || fields.distance(run.y, x) > fields.distance(best)) best = {x, run.y};
   }
   for (const cv::Point& p : deepest) {
     Site site;
@@ -164,7 +163,7 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
     if (auto labelled = rasterizer.label(sites, diagram.labels); !labelled) return tl::unexpected(labelled.error());
     if (iteration == 0) {
       const std::size_t reached = sites.size();
-      seed_unreached(sites, diagram.labels.clone(), fields, params);
+      seed_unreached(sites, diagram.labels, fields, params);
       for (std::size_t i = reached; i < sites.size(); ++i) lloyd.settle(sites[i]);
       if (sites.size() > reached)
         if (auto again = rasterizer.label(sites, diagram.labels); !again) return tl::unexpected(again.error());

@@ -9,17 +9,6 @@
 namespace tessera {
 namespace {
 
-struct Run {
-  int label;
-  int begin, end;  // columns
-  int y;
-};
-
-struct Runs {
-  std::vector<Run> all;
-  std::vector<int> row_first;  // where each row begins; one more at the end
-};
-
 // Whether pixel x of a row continues the run of the pixel before. A label stays in its zone, so only unlabelled runs
 // need their zone compared.
 bool continues(const int* row, const unsigned char* zone, int x) {
@@ -27,8 +16,8 @@ bool continues(const int* row, const unsigned char* zone, int x) {
 }
 
 // Maximal runs of one label and zone. They are counted first: there are many, and memory is dear when it is new.
-Runs find_runs(const LabelMap& labels, const cv::Mat1b& zones) {
-  Runs runs;
+CellRuns find_runs(const LabelMap& labels, const cv::Mat1b& zones) {
+  CellRuns runs;
   runs.row_first.assign(labels.rows + 1, 0);
   cv::parallel_for_({0, labels.rows}, [&](const cv::Range& rows) {
     for (int y = rows.start; y < rows.end; ++y) {
@@ -41,7 +30,7 @@ Runs find_runs(const LabelMap& labels, const cv::Mat1b& zones) {
   runs.all.resize(runs.row_first.back());
   cv::parallel_for_({0, labels.rows}, [&](const cv::Range& rows) {
     for (int y = rows.start; y < rows.end; ++y) {
-      Run* run = &runs.all[runs.row_first[y]];
+      CellRun* run = &runs.all[runs.row_first[y]];
       *run = {labels(y, 0), 0, labels.cols, y};
       for (int x = 1; x < labels.cols; ++x) {
         if (continues(labels[y], zones[y], x)) continue;
@@ -60,7 +49,7 @@ int root_of(std::vector<int>& parent, int i) {
 
 // Calls join(upper, lower) for each pair of runs in neighbouring rows that share columns.
 template <class Join>
-void for_touching_rows(const Runs& runs, const Join& join) {
+void for_touching_rows(const CellRuns& runs, const Join& join) {
   for (std::size_t y = 1; y + 1 < runs.row_first.size(); ++y) {
     int upper = runs.row_first[y - 1];
     for (int lower = runs.row_first[y]; lower < runs.row_first[y + 1]; ++lower) {
@@ -71,12 +60,12 @@ void for_touching_rows(const Runs& runs, const Join& join) {
 }
 
 // For each run the first run, in reading order, of the connected part it belongs to.
-std::vector<int> find_parts(const Runs& runs, const cv::Mat1b& zones) {
-  const auto zone = [&](const Run& run) { return zones(run.y, run.begin); };
+std::vector<int> find_parts(const CellRuns& runs, const cv::Mat1b& zones) {
+  const auto zone = [&](const CellRun& run) { return zones(run.y, run.begin); };
   std::vector<int> part(runs.all.size());
   std::iota(part.begin(), part.end(), 0);
   for_touching_rows(runs, [&](int upper, int lower) {
-    const Run &a = runs.all[upper], &b = runs.all[lower];
+    const CellRun &a = runs.all[upper], &b = runs.all[lower];
     if (a.label != b.label || (a.label < 0 && zone(a) != zone(b))) return;
     const int i = root_of(part, upper), k = root_of(part, lower);
     part[std::max(i, k)] = std::min(i, k);
@@ -86,7 +75,7 @@ std::vector<int> find_parts(const Runs& runs, const cv::Mat1b& zones) {
 }
 
 // The parts that may not stay as they are: for each its runs.
-std::vector<std::vector<int>> find_fragments(const Runs& runs, const cv::Mat1b& zones, int cells) {
+std::vector<std::vector<int>> find_fragments(const CellRuns& runs, const cv::Mat1b& zones, int cells) {
   const std::vector<int> part = find_parts(runs, zones);
   std::vector<int> pixels(part.size(), 0), largest(cells, -1);
   for (std::size_t i = 0; i < part.size(); ++i) pixels[part[i]] += runs.all[i].end - runs.all[i].begin;
@@ -104,22 +93,24 @@ std::vector<std::vector<int>> find_fragments(const Runs& runs, const cv::Mat1b& 
   return list;
 }
 
-// The neighbour label with the longest border to the runs, among settled pixels of the same zone; -1: none.
-int best_neighbour(const LabelMap& labels, const cv::Mat1b& zones, const Runs& runs,
-                   const std::vector<int>& members) {
+// The neighbour label with the longest border to the runs, among settled ones of the same zone; -1: none.
+int best_neighbour(const CellRuns& runs, const cv::Mat1b& zones, const std::vector<int>& members) {
   std::map<int, int> border;
-  const auto look = [&](int x, int y, unsigned char zone) {
-    if (x < 0 || y < 0 || x >= labels.cols || y >= labels.rows) return;
-    if (zones(y, x) == zone && labels(y, x) >= 0) ++border[labels(y, x)];
-  };
+  const auto zone = [&](const CellRun& run) { return zones(run.y, run.begin); };
   for (const int i : members) {
-    const Run& run = runs.all[i];
-    const unsigned char zone = zones(run.y, run.begin);
-    look(run.begin - 1, run.y, zone);
-    look(run.end, run.y, zone);
-    for (int x = run.begin; x < run.end; ++x) {
-      look(x, run.y - 1, zone);
-      look(x, run.y + 1, zone);
+    const CellRun& run = runs.all[i];
+    const auto look = [&](const CellRun& other, int sides) {
+      if (other.label >= 0 && zone(other) == zone(run)) border[other.label] += sides;
+    };
+    if (i > runs.row_first[run.y]) look(runs.all[i - 1], 1);
+    if (i + 1 < runs.row_first[run.y + 1]) look(runs.all[i + 1], 1);
+    for (const int y : {run.y - 1, run.y + 1}) {
+      if (y < 0 || y + 1 >= static_cast<int>(runs.row_first.size())) continue;
+      const auto end = runs.all.begin() + runs.row_first[y + 1];
+      auto other = std::upper_bound(runs.all.begin() + runs.row_first[y], end, run.begin,
+                                    [](int column, const CellRun& r) { return column < r.end; });
+      for (; other != end && other->begin < run.end; ++other)
+        look(*other, std::min(run.end, other->end) - std::max(run.begin, other->begin));
     }
   }
   int best = -1;
@@ -128,32 +119,44 @@ int best_neighbour(const LabelMap& labels, const cv::Mat1b& zones, const Runs& r
   return best;
 }
 
-void paint(LabelMap& labels, const Runs& runs, const std::vector<int>& members, int label) {
-  for (const int i : members) std::fill(labels[runs.all[i].y] + runs.all[i].begin, labels[runs.all[i].y] + runs.all[i].end, label);
+void relabel(CellRuns& runs, const std::vector<int>& members, int label) {
+  for (const int i : members) runs.all[i].label = label;
 }
 
 }  // namespace
 
-int connect_cells(LabelMap& labels, const cv::Mat1b& zones, int cells) {
-  const Runs runs = find_runs(labels, zones);
+CellRuns connected_runs(const LabelMap& labels, const cv::Mat1b& zones, int& cells) {
+  CellRuns runs = find_runs(labels, zones);
   std::vector<std::vector<int>> fragments = find_fragments(runs, zones, cells);
-  for (const auto& members : fragments) paint(labels, runs, members, kUnlabelled);
+  for (const auto& members : fragments) {
+    relabel(runs, members, kUnlabelled);
+    runs.changed.insert(runs.changed.end(), members.begin(), members.end());
+  }
   // Fragments may border only on other fragments: settle from the outside in, in rounds.
   while (!fragments.empty()) {
     std::vector<std::vector<int>> waiting;
     for (auto& members : fragments) {
-      const int label = best_neighbour(labels, zones, runs, members);
+      const int label = best_neighbour(runs, zones, members);
       if (label >= 0) {
-        paint(labels, runs, members, label);
+        relabel(runs, members, label);
       } else {
         waiting.push_back(std::move(members));
       }
     }
     if (waiting.size() == fragments.size()) {
-      paint(labels, runs, waiting.front(), cells++);
+      relabel(runs, waiting.front(), cells++);
       waiting.erase(waiting.begin());
     }
     fragments = std::move(waiting);
+  }
+  return runs;
+}
+
+int connect_cells(LabelMap& labels, const cv::Mat1b& zones, int cells) {
+  const CellRuns runs = connected_runs(labels, zones, cells);
+  for (const int i : runs.changed) {
+    const CellRun& run = runs.all[i];
+    std::fill(labels[run.y] + run.begin, labels[run.y] + run.end, run.label);
   }
   return cells;
 }
