@@ -55,6 +55,9 @@ class Lloyd {
     settle(site);
   }
 
+  // Asks for the pixels that a site will look at in a while: it does not move far.
+  void prefetch(const Site& site) const { fields_.prefetch(site.x, site.y); }
+
  private:
   // A band too narrow for two rows of stones gets one, whose stones reach across.
   void settle_in_band(Site& site, double distance, double half_width) const {
@@ -151,6 +154,7 @@ std::vector<std::uint8_t> zones_of_cells(const LabelMap& labels, const cv::Mat1b
 
 Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& params, std::uint64_t seed,
                               Rasterizer& rasterizer, const RunContext& context, const IterationObserver& observer) {
+  constexpr int kAhead = 12;  // sites
   const Lloyd lloyd(fields, params, seed);
   Diagram diagram;
   const double reach = 8 * fields.half_side;
@@ -173,8 +177,10 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
     if (iteration == params.iterations) break;
     const auto moments = cell_moments(diagram.labels, static_cast<int>(sites.size()));
     cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
-      for (int i = range.start; i < range.end; ++i)
+      for (int i = range.start; i < range.end; ++i) {
+        lloyd.prefetch(sites[std::min(i + kAhead, range.end - 1)]);
         if (moments[i].count > 0) lloyd.recentre(sites[i], moments[i]);
+      }
     });
     diagram.reseeded += reseed_empty(sites, moments);
   }

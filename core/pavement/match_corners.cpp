@@ -110,8 +110,6 @@ class Matcher {
     return sum;
   }
 
-  double rise(int cell, int lost, int gained) const { return badness(cell, lost, gained) - badness(cell, -1, -1); }
-
   bool free_candidate(int slot) const { return candidate_at_[slot] && !flat_[slot]; }
 
   void take(const Candidate& c) {
@@ -179,9 +177,10 @@ class Matcher {
     std::vector<Link> links;
     std::vector<int> seen;  // slots lost so far
     const auto expand = [&](int cell, int lost, int before, double cost) {
+      const double now = badness(cell, -1, -1);
       for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s) {
         if (!free_candidate(s) || s == lost) continue;
-        const double step = rise(cell, lost, s);
+        const double step = badness(cell, lost, s) - now;
         if (step > kTooFar) continue;
         links.push_back({cost + std::max(kChange, step), s, lost, before});
         queue.push({links.back().cost, static_cast<int>(links.size()) - 1});

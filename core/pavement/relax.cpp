@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/geometry/polygon.h"
 
@@ -17,24 +18,36 @@ constexpr double kMargin = 0.15;  // of the line between its neighbours: how nea
 class Relaxer {
  public:
   Relaxer(Tessellation& t, const std::vector<char>& flat, double half_side)
-      : t_(t), map_(t.map), flat_(flat), begin_(t.map.vertices), half_side_(half_side) {
+      : t_(t), map_(t.map), flat_(flat), half_side_(half_side) {
+    nodes_.reserve(t.map.vertices.size());
+    for (std::size_t v = 0; v < t.map.vertices.size(); ++v)
+      nodes_.push_back({t.map.vertices[v], t.map.vertices[v], t.normal[v], mobility(t.freedom[v]), t.freedom[v]});
     list_corners();
   }
 
   // `pull`: how strongly vertices are drawn back to where they began.
   void round(double pull) {
-    for (std::size_t v = 0; v < begin_.size(); ++v)
-      if (t_.freedom[v] != Freedom::kFixed) move(static_cast<int>(v), pull * (begin_[v] - map_.vertices[v]));
+    for (Node& node : nodes_)
+      if (node.freedom == Freedom::kFrontier || (pull > 0 && node.freedom != Freedom::kFixed))
+        move(node, pull * (node.begin - node.p));
     for (const Corner& corner : corners_) straighten(corner);
   }
 
   // Sliding along a tangent leaves a curved frontier.
   void back_to_frontier(const Fields& fields) {
-    for (std::size_t v = 0; v < begin_.size(); ++v) {
-      Point& p = map_.vertices[v];
-      if (t_.freedom[v] == Freedom::kFrontier) to_frontier(fields.zones, t_.between[v][0], t_.between[v][1], 1, p);
-      p = fields.inside(p.x, p.y);
-    }
+    cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
+      for (int v = range.start; v < range.end; ++v) {
+        Node& node = nodes_[v];
+        if (node.freedom == Freedom::kFrontier)
+          to_frontier(fields.zones, t_.between[v][0], t_.between[v][1], 1, node.p);
+        node.p = fields.inside(node.p.x, node.p.y);
+      }
+    });
+  }
+
+  // Moves the tessellation's vertices to where the rounds have led.
+  void apply() {
+    for (std::size_t v = 0; v < nodes_.size(); ++v) map_.vertices[v] = nodes_[v].p;
   }
 
   // Undoes the moves of tangled stones, until none is left that undoing helps.
@@ -49,7 +62,7 @@ class Relaxer {
           if (undone[v]) continue;
           undone[v] = 1;
           again = true;
-          map_.vertices[v] = begin_[v];
+          map_.vertices[v] = nodes_[v].begin;
         }
       }
       for (std::size_t slot = 0; slot < flat.size(); ++slot)
@@ -73,8 +86,9 @@ class Relaxer {
   }
 
   // Corners that cross or coincide, or an outline turned over.
-  bool is_tangled(int cell) const {
-    Ring ring;
+  bool is_tangled(int cell) {
+    Ring& ring = ring_;
+    ring.clear();
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot)
       if (!flat_[slot]) ring.push_back(map_.at(slot));
     bool convex = true;
@@ -87,9 +101,16 @@ class Relaxer {
     return !(convex && ring.size() == 4) && !is_simple(ring);
   }
 
+  // A vertex with all that its moves need, side by side.
+  struct Node {
+    Point p, begin, normal;
+    double mobility;
+    Freedom freedom;
+  };
+
   // How far a vertex gives way. Those on frontiers little: a slide around a corner of the drawing would cut it off.
-  double mobility(int vertex) const {
-    switch (t_.freedom[vertex]) {
+  static double mobility(Freedom freedom) {
+    switch (freedom) {
       case Freedom::kFree: return 0.5;
       case Freedom::kFrontier: return 0.15;
       case Freedom::kBorder: return 0.5;
@@ -98,14 +119,12 @@ class Relaxer {
     return 0;
   }
 
-  void move(int vertex, Point by) {
-    const Point n = t_.normal[vertex];
-    Point& p = map_.vertices[vertex];
-    p += by - dot(by, n) * n;
-    if (t_.freedom[vertex] != Freedom::kFrontier) return;
-    const Point way = p - begin_[vertex];
+  void move(Node& node, Point by) const {
+    node.p += by - dot(by, node.normal) * node.normal;
+    if (node.freedom != Freedom::kFrontier) return;
+    const Point way = node.p - node.begin;
     const double farthest = kSlide * half_side_;
-    if (length(way) > farthest) p = begin_[vertex] + (farthest / length(way)) * way;
+    if (length(way) > farthest) node.p = node.begin + (farthest / length(way)) * way;
   }
 
   // A free vertex between its neighbours in a stone's outline. On a frontier the drawing rules, not the straight line.
@@ -126,16 +145,15 @@ class Relaxer {
   }
 
   void straighten(const Corner& corner) {
-    const int v = corner.vertex, a = corner.before, b = corner.after;
-    const Point p = map_.vertices[v], pa = map_.vertices[a], pb = map_.vertices[b];
-    const Point way = pb - pa;
+    Node &v = nodes_[corner.vertex], &a = nodes_[corner.before], &b = nodes_[corner.after];
+    const Point way = b.p - a.p;
     const double size2 = dot(way, way);
     if (size2 < 1e-12) return;
-    const double off = cross(way, p - pa);  // positive: hollow, clockwise rings with y down
+    const double off = cross(way, v.p - a.p);  // positive: hollow, clockwise rings with y down
     if (!corner.flat && off <= 0) return;
-    const double along = std::clamp(dot(p - pa, way) / size2, kMargin, 1 - kMargin);
-    const Point error = p - (pa + along * way);
-    const double wa = mobility(a) * (1 - along), wb = mobility(b) * along;
+    const double along = std::clamp(dot(v.p - a.p, way) / size2, kMargin, 1 - kMargin);
+    const Point error = v.p - (a.p + along * way);
+    const double wa = a.mobility * (1 - along), wb = b.mobility * along;
     const double total = 1 + wa * (1 - along) + wb * along;
     move(v, (-1 / total) * error);
     move(a, (wa / total) * error);
@@ -145,8 +163,9 @@ class Relaxer {
   Tessellation& t_;
   PlanarMap& map_;
   const std::vector<char>& flat_;
-  const std::vector<Point> begin_;
   const double half_side_;
+  std::vector<Node> nodes_;
+  Ring ring_;  // of the cell looked at
   std::vector<Corner> corners_;
 };
 
@@ -159,6 +178,7 @@ void relax(Tessellation& t, std::vector<char>& flat, const Fields& fields) {
     if (i == kRounds / 2) relaxer.back_to_frontier(fields);
   }
   relaxer.back_to_frontier(fields);
+  relaxer.apply();
   relaxer.untangle(flat);
 }
 
