@@ -11,6 +11,7 @@ namespace tessera {
 // Sites are drawn into tiles that fit the first cache. Tiles that drawing left incomplete are searched for in smaller
 // ones, each with one list of candidates; blocks narrow the list further.
 inline constexpr int kTileWidth = 64, kTileHeight = 32;
+inline constexpr int kTilePadding = 16;  // pixels that vectors may reach beyond the last tile of a row
 inline constexpr int kSearchWidth = 16, kSearchHeight = 8;
 inline constexpr int kBlockWidth = 8, kBlockHeight = 4;
 
@@ -22,8 +23,9 @@ struct NearDistance {
 
 struct KernelArguments {
   const SiteBins* bins;
-  const std::uint8_t* zones;  // padded to whole tiles by repeating the last column and row
+  const std::uint8_t* zones;  // padded to whole tiles, and kTilePadding, by repeating the last column and row
   std::ptrdiff_t zones_stride;
+  const std::uint8_t* mixed_tiles;  // for each tile whether it has more than one zone, row by row
   Metric metric;
   NearDistance near;
   float reach;

@@ -35,9 +35,16 @@ class CpuRasterizer : public Rasterizer {
   std::string_view name() const override { return "cpu"; }
 
   Result<void> begin(const cv::Mat1b& zones, Metric metric, double reach) override {
-    const auto missing = [](int size, int step) { return (step - size % step) % step; };
-    cv::copyMakeBorder(zones, zones_, 0, missing(zones.rows, kTileHeight), 0, missing(zones.cols, kTileWidth),
-                       cv::BORDER_REPLICATE);
+    const int rows = tiles(zones.rows, kTileHeight), columns = tiles(zones.cols, kTileWidth);
+    cv::copyMakeBorder(zones, zones_, 0, rows * kTileHeight - zones.rows, 0,
+                       columns * kTileWidth - zones.cols + kTilePadding, cv::BORDER_REPLICATE);
+    mixed_tiles_.create(rows, columns);
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < columns; ++x) {
+        const cv::Mat1b tile = zones_(cv::Rect(x * kTileWidth, y * kTileHeight, kTileWidth, kTileHeight));
+        mixed_tiles_(y, x) = cv::countNonZero(tile != tile(0, 0)) > 0;
+      }
+    }
     size_ = zones.size();
     metric_ = metric;
     reach_ = static_cast<float>(reach);
@@ -50,6 +57,7 @@ class CpuRasterizer : public Rasterizer {
     const KernelArguments arguments{&bins_,
                                     zones_.ptr(),
                                     static_cast<std::ptrdiff_t>(zones_.step1()),
+                                    mixed_tiles_.ptr(),
                                     metric_,
                                     choose_near(bins_, sites.size(), size_, metric_, reach_),
                                     reach_,
@@ -57,13 +65,15 @@ class CpuRasterizer : public Rasterizer {
                                     static_cast<std::ptrdiff_t>(labels.step1()),
                                     size_.width,
                                     size_.height};
-    const int rows = (size_.height + kTileHeight - 1) / kTileHeight;
-    cv::parallel_for_({0, rows}, [&](const cv::Range& range) { label_tile_rows(arguments, range.start, range.end); });
+    cv::parallel_for_({0, tiles(size_.height, kTileHeight)},
+                      [&](const cv::Range& range) { label_tile_rows(arguments, range.start, range.end); });
     return {};
   }
 
  private:
-  cv::Mat1b zones_;
+  static int tiles(int size, int step) { return (size + step - 1) / step; }
+
+  cv::Mat1b zones_, mixed_tiles_;
   cv::Size size_;
   Metric metric_ = Metric::kFrustum;
   float reach_ = 0;

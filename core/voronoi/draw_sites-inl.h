@@ -10,7 +10,9 @@
 #endif
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "tessera/voronoi/measure-inl.h"
 
@@ -18,12 +20,40 @@ HWY_BEFORE_NAMESPACE();
 namespace tessera {
 namespace HWY_NAMESPACE {
 
+// A set of numbers, taken out in ascending order: a bit each.
+class Marks {
+ public:
+  explicit Marks(std::size_t size) : words_(size / 64 + 1, 0), first_(static_cast<int>(words_.size())) {}
+
+  void add(int i) {
+    const int word = i / 64;
+    words_[word] |= std::uint64_t{1} << i % 64;
+    first_ = std::min(first_, word);
+    last_ = std::max(last_, word);
+  }
+
+  template <class Visit>
+  void take_all(const Visit& visit) {
+    for (int word = first_; word <= last_; ++word) {
+      for (std::uint64_t rest = words_[word]; rest != 0; rest &= rest - 1) visit(word * 64 + __builtin_ctzll(rest));
+      words_[word] = 0;
+    }
+    first_ = static_cast<int>(words_.size());
+    last_ = -1;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  int first_, last_ = -1;  // the words that are not 0
+};
+
 template <Metric metric>
 class Drawing {
   using M = Measure<metric>;
 
  public:
-  explicit Drawing(const KernelArguments& arguments) : arg_(arguments), bins_(*arguments.bins) {}
+  explicit Drawing(const KernelArguments& arguments)
+      : arg_(arguments), bins_(*arguments.bins), marks_(bins_.place.size()) {}
 
   // Labels what is near a site in the tile at (x0, y0), kUnlabelled the rest of it.
   void draw(int x0, int y0) {
@@ -31,10 +61,13 @@ class Drawing {
     y0_ = y0;
     clear();
     const std::uint8_t zone = zone_row(0)[0];
-    if (has_one_zone(zone)) {
-      draw_bins<false>(zone);
+    // In the order of their index: of equally near sites the first stays.
+    if (has_mixed_zones()) {
+      find_sites<true>(zone);
+      marks_.take_all([&](int id) { draw_site<true>(bins_.place[id]); });
     } else {
-      draw_bins<true>(zone);
+      find_sites<false>(zone);
+      marks_.take_all([&](int id) { draw_site<false>(bins_.place[id]); });
     }
     copy_labels();
   }
@@ -50,16 +83,13 @@ class Drawing {
 
  private:
   // Rows are longer than the tile, so that a vector may begin at any of its pixels.
-  static constexpr int kStride = kTileWidth + 2 * kBlockWidth;
+  static constexpr int kStride = kTileWidth + kTilePadding;
 
   const std::uint8_t* zone_row(int y) const { return arg_.zones + (y0_ + y) * arg_.zones_stride + x0_; }
 
-  bool has_one_zone(std::uint8_t zone) const {
-    std::uint8_t row[kTileWidth];
-    std::memset(row, zone, sizeof row);
-    for (int y = 0; y < kTileHeight; ++y)
-      if (std::memcmp(zone_row(y), row, sizeof row) != 0) return false;
-    return true;
+  bool has_mixed_zones() const {
+    const int columns = (arg_.width + kTileWidth - 1) / kTileWidth;
+    return arg_.mixed_tiles[y0_ / kTileHeight * columns + x0_ / kTileWidth] != 0;
   }
 
   // Half the side of a site's box, from half the side of its cap's.
@@ -83,64 +113,59 @@ class Drawing {
     }
   }
 
-  // The pixels [left, right) x [top, bottom) of the tile that a vector of sites may label.
-  struct Boxes {
-    HWY_ALIGN std::int32_t left[kBlockWidth], right[kBlockWidth], top[kBlockWidth], bottom[kBlockWidth];
-  };
-
-  // Centre and half side of boxes along one axis to pixels from `begin` to `end`; true where there are any.
-  static hn::Mask<DF> clip(VF centre, VF half, int size, std::int32_t* begin, std::int32_t* end) {
-    const DF d;
-    const VF zero = hn::Zero(d), last = hn::Set(d, static_cast<float>(size));
-    const VF from = hn::Add(hn::Sub(centre, half), hn::Set(d, 0.5f)),
-             to = hn::Add(hn::Add(centre, half), hn::Set(d, 0.5f));
-    const VI first = hn::ConvertTo(DI(), hn::Min(hn::Max(from, zero), last));
-    const VI past = hn::ConvertTo(DI(), hn::Min(hn::Max(to, zero), last));
-    hn::Store(first, DI(), begin);
-    hn::Store(past, DI(), end);
-    return hn::RebindMask(d, hn::Lt(first, past));
-  }
-
+  // Marks the sites whose boxes touch the tile; where it has one zone, of that zone only.
   template <bool kMixedZones>
-  void draw_bins(std::uint8_t zone) {
+  void find_sites(std::uint8_t zone) {
     const DF d;
     const DI di;
     const float range = box(bins_.box_max);
-    const int left = bins_.bin_of(x0_ - range, bins_.columns),
-              right = bins_.bin_of(x0_ + kTileWidth + range, bins_.columns);
+    const int left = bins_.bin_of(x0_ - range, bins_.columns);
+    const int right = bins_.bin_of(x0_ + kTileWidth + range, bins_.columns);
     const int top = bins_.bin_of(y0_ - range, bins_.rows),
               bottom = bins_.bin_of(y0_ + kTileHeight + range, bins_.rows);
-    const VI origin_x = hn::Set(di, x0_ * kSubpixels), origin_y = hn::Set(di, y0_ * kSubpixels);
-    const VF scale = hn::Set(d, 1.0f / kSubpixels);
-    Boxes boxes;
     for (int row = top; row <= bottom; ++row) {
       const int begin = bins_.first[row * bins_.columns + left], end = bins_.first[row * bins_.columns + right + 1];
       for (int k = begin; k < end; k += kLanes) {
-        const VF x = hn::Mul(hn::ConvertTo(d, hn::Sub(hn::LoadU(di, &bins_.x[k]), origin_x)), scale);
-        const VF y = hn::Mul(hn::ConvertTo(d, hn::Sub(hn::LoadU(di, &bins_.y[k]), origin_y)), scale);
-        const auto across = clip(x, box(hn::LoadU(d, &bins_.box_x[k])), kTileWidth, boxes.left, boxes.right);
-        const auto down = clip(y, box(hn::LoadU(d, &bins_.box_y[k])), kTileHeight, boxes.top, boxes.bottom);
-        auto touching = hn::And(hn::And(across, down), hn::FirstN(d, static_cast<std::size_t>(end - k)));
+        auto touching = hn::And(touches(&bins_.x[k], &bins_.box_x[k], x0_, kTileWidth),
+                                touches(&bins_.y[k], &bins_.box_y[k], y0_, kTileHeight));
+        touching = hn::And(touching, hn::FirstN(d, static_cast<std::size_t>(end - k)));
         if constexpr (!kMixedZones)
           touching = hn::And(touching, hn::RebindMask(d, hn::Eq(hn::LoadU(di, &bins_.zone[k]), hn::Set(di, zone))));
-        for (unsigned rest = bits_of(touching); rest; rest &= rest - 1) {
-          const int i = __builtin_ctz(rest);
-          draw_site<kMixedZones>(k + i, boxes.left[i], boxes.right[i], boxes.top[i], boxes.bottom[i]);
-        }
+        for (unsigned rest = bits_of(touching); rest; rest &= rest - 1) marks_.add(bins_.id[k + __builtin_ctz(rest)]);
       }
     }
   }
 
+  // Which of a vector of boxes, along one axis, touch the tile's pixels from `begin` on.
+  hn::Mask<DF> touches(const std::int32_t* centre, const float* cap, int begin, int size) const {
+    const DF d;
+    const DI di;
+    const float half = 0.5f * static_cast<float>(size);
+    const VI middle = hn::Set(di, begin * kSubpixels + size * (kSubpixels / 2));
+    const VF off = hn::Mul(hn::ConvertTo(d, hn::Sub(hn::LoadU(di, centre), middle)), hn::Set(d, 1.0f / kSubpixels));
+    return hn::Lt(hn::Abs(off), hn::Add(box(hn::LoadU(d, cap)), hn::Set(d, half)));
+  }
+
+  // The pixels of the tile, along one axis, whose centres lie in a box.
+  struct Span {
+    int begin, end;
+    Span(float centre, float half, int size)
+        : begin(static_cast<int>(std::clamp(centre - half + 0.5f, 0.0f, static_cast<float>(size)))),
+          end(static_cast<int>(std::clamp(centre + half + 0.5f, 0.0f, static_cast<float>(size)))) {}
+  };
+
   template <bool kMixedZones>
-  void draw_site(int k, int left, int right, int top, int bottom) {
-    int x = left;
-    for (; x + kLanes < right; x += 2 * kLanes) draw_columns<kMixedZones, 2>(k, x, top, bottom);
-    if (x < right) draw_columns<kMixedZones, 1>(k, x, top, bottom);
+  void draw_site(int k) {
+    const Span columns(offset(bins_.x[k] - x0_ * kSubpixels), box(bins_.box_x[k]), kTileWidth);
+    const Span rows(offset(bins_.y[k] - y0_ * kSubpixels), box(bins_.box_y[k]), kTileHeight);
+    int x = columns.begin;
+    for (; x + kLanes < columns.end; x += 2 * kLanes) draw_columns<kMixedZones, 2>(k, x, rows);
+    if (x < columns.end) draw_columns<kMixedZones, 1>(k, x, rows);
   }
 
   // Some vectors beside each other, from x on.
   template <bool kMixedZones, int kColumns>
-  void draw_columns(int k, int x, int top, int bottom) {
+  void draw_columns(int k, int x, Span rows) {
     const DF d;
     const DI di;
     const VF cs = hn::Set(d, bins_.cosine[k]), sn = hn::Set(d, bins_.sine[k]);
@@ -149,22 +174,22 @@ class Drawing {
     const VF dx = hn::Add(hn::Iota(d, 0.5f), hn::Set(d, offset((x0_ + x) * kSubpixels - bins_.x[k])));
     const VF dx1 = hn::Add(dx, hn::Set(d, static_cast<float>(kLanes)));
     const VF cdx[] = {hn::Mul(cs, dx), hn::Mul(cs, dx1)}, sdx[] = {hn::Mul(sn, dx), hn::Mul(sn, dx1)};
-    VF dy = hn::Set(d, offset((y0_ + top) * kSubpixels - bins_.y[k]) + 0.5f);
-    float* keys = key_ + top * kStride + x;
-    std::int32_t* labels = label_ + top * kStride + x;
-    for (int y = top; y < bottom; ++y, keys += kStride, labels += kStride) {
+    VF dy = hn::Set(d, offset((y0_ + rows.begin) * kSubpixels - bins_.y[k]) + 0.5f);
+    float* keys = key_ + rows.begin * kStride + x;
+    std::int32_t* labels = label_ + rows.begin * kStride + x;
+    for (int y = rows.begin; y < rows.end; ++y, keys += kStride, labels += kStride) {
       const VF cdy = hn::Mul(cs, dy), sdy = hn::Mul(sn, dy);
       for (int i = 0; i < kColumns; ++i) {
         const VF key = M::key(hn::Add(cdx[i], sdy), hn::Sub(cdy, sdx[i]), eu, ev);
         const VF best = hn::LoadU(d, keys + i * kLanes);
-        const VI label = hn::LoadU(di, labels + i * kLanes);
-        auto closer = hn::Or(hn::Lt(key, best), hn::And(hn::Eq(key, best), hn::RebindMask(d, hn::Lt(id, label))));
+        auto closer = hn::Lt(key, best);
         if constexpr (kMixedZones) {
           const hn::Rebind<std::uint8_t, DI> d8;
           const VI zones = hn::PromoteTo(di, hn::LoadU(d8, zone_row(y) + x + i * kLanes));
           closer = hn::And(closer, hn::RebindMask(d, hn::Eq(zones, zone)));
         }
         hn::StoreU(hn::IfThenElse(closer, key, best), d, keys + i * kLanes);
+        const VI label = hn::LoadU(di, labels + i * kLanes);
         hn::StoreU(hn::IfThenElse(hn::RebindMask(di, closer), id, label), di, labels + i * kLanes);
       }
       dy = hn::Add(dy, hn::Set(d, 1.0f));
@@ -180,6 +205,7 @@ class Drawing {
 
   const KernelArguments& arg_;
   const SiteBins& bins_;
+  Marks marks_;
   int x0_ = 0, y0_ = 0;
   HWY_ALIGN float key_[kTileHeight * kStride];
   HWY_ALIGN std::int32_t label_[kTileHeight * kStride];

@@ -23,11 +23,11 @@ void SiteBins::build(const Sites& sites, int width, int height) {
   columns = std::max(1, static_cast<int>(std::ceil(width / bin)));
   rows = std::max(1, static_cast<int>(std::ceil(height / bin)));
 
-  std::vector<int> bin_of_site(sites.size());
+  place.resize(sites.size());
   first.assign(static_cast<std::size_t>(columns) * rows + 1, 0);
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    bin_of_site[i] = bin_of(sites[i].y, rows) * columns + bin_of(sites[i].x, columns);
-    ++first[bin_of_site[i] + 1];
+    place[i] = bin_of(sites[i].y, rows) * columns + bin_of(sites[i].x, columns);
+    ++first[place[i] + 1];
   }
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
 
@@ -35,7 +35,10 @@ void SiteBins::build(const Sites& sites, int width, int height) {
   for (auto* array : {&cosine, &sine, &extent_u, &extent_v, &box_x, &box_y}) array->resize(size, 1);
   for (auto* array : {&x, &y, &zone, &id}) array->resize(size, -1);
   std::vector<int> next(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < sites.size(); ++i) id[next[bin_of_site[i]]++] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    place[i] = next[place[i]]++;
+    id[place[i]] = static_cast<std::int32_t>(i);
+  }
   for (std::size_t k = 0; k < sites.size(); ++k) put(k, sites[id[k]]);
   box_max = extent_max = 0;
   for (std::size_t k = 0; k < sites.size(); ++k) {
