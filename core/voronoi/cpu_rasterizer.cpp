@@ -11,7 +11,7 @@ namespace {
 
 // Boxes that cover the canvas as often as kOverdraw says; no distance where caps alone cover more.
 NearDistance choose_near(const SiteBins& bins, std::size_t sites, cv::Size size, Metric metric, float reach) {
-  constexpr double kOverdraw = 2.5;
+  constexpr double kOverdraw = 3;
   constexpr float kRounding = 1 + 1.0f / 1024, kMargin = 1.0f / 64;  // distances are rounded
   double sum = 0, products = 0;
   for (std::size_t k = 0; k < sites; ++k) {
