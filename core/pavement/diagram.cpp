@@ -119,7 +119,10 @@ void seed_unreached(Sites& sites, const LabelMap& labels, const Fields& fields, 
 
 // Gives each empty cell's site a place beside that of one of the largest cells of its zone.
 int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
-  std::map<int, std::vector<int>> largest;  // by zone, filled where needed
+  std::map<int, std::vector<int>> largest;  // by zone, filled where needed: a heap
+  const auto smaller = [&](int a, int b) {
+    return moments[a].count != moments[b].count ? moments[a].count < moments[b].count : a < b;
+  };
   int reseeded = 0;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (moments[i].count > 0) continue;
@@ -127,10 +130,10 @@ int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
     if (candidates.empty()) {
       for (std::size_t k = 0; k < sites.size(); ++k)
         if (sites[k].zone == sites[i].zone && moments[k].count > 1) candidates.push_back(static_cast<int>(k));
-      std::stable_sort(candidates.begin(), candidates.end(),
-                       [&](int a, int b) { return moments[a].count < moments[b].count; });
+      std::make_heap(candidates.begin(), candidates.end(), smaller);
     }
     if (candidates.empty()) continue;
+    std::pop_heap(candidates.begin(), candidates.end(), smaller);
     const int k = candidates.back();
     candidates.pop_back();
     const SinCos turn = sin_cos(sites[k].angle);
@@ -143,10 +146,14 @@ int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
   return reseeded;
 }
 
+// A cell's zone, from any of its pixels.
 std::vector<std::uint8_t> zones_of_cells(const LabelMap& labels, const cv::Mat1b& zones, int cells) {
   std::vector<std::uint8_t> zone(cells, 0);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x) zone[labels(y, x)] = zones(y, x);
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels[y];
+    for (int x = 0; x < labels.cols; ++x)
+      if (x == 0 || row[x] != row[x - 1]) zone[row[x]] = zones(y, x);
+  }
   return zone;
 }
 
@@ -156,11 +163,14 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
                               Rasterizer& rasterizer, const RunContext& context, const IterationObserver& observer) {
   constexpr int kAhead = 12;  // sites
   const Lloyd lloyd(fields, params, seed);
+  CellSums sums;
   Diagram diagram;
   const double reach = 8 * fields.half_side;
   if (auto ready = rasterizer.begin(fields.zones.map, Metric::kFrustum, reach); !ready)
     return tl::unexpected(ready.error());
-  for (Site& site : sites) lloyd.settle(site);
+  cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
+    for (int i = range.start; i < range.end; ++i) lloyd.settle(sites[i]);
+  });
 
   for (int iteration = 0; iteration <= params.iterations; ++iteration) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
@@ -175,7 +185,7 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
     if (observer) observer({iteration, params.iterations, fields.scale, sites, diagram.labels, fields.zones.palette});
     context.progress(0.1 + 0.6 * (iteration + 1) / (params.iterations + 1));
     if (iteration == params.iterations) break;
-    const auto moments = cell_moments(diagram.labels, static_cast<int>(sites.size()));
+    const std::vector<CellMoments>& moments = sums.of(diagram.labels, static_cast<int>(sites.size()));
     cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
       for (int i = range.start; i < range.end; ++i) {
         lloyd.prefetch(sites[std::min(i + kAhead, range.end - 1)]);

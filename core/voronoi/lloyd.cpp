@@ -66,23 +66,29 @@ HWY_AFTER_NAMESPACE();
 namespace tessera {
 HWY_EXPORT(add_rows);
 
-std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells) {
+const std::vector<CellMoments>& CellSums::of(const LabelMap& labels, int cells) {
   const int stripes = std::clamp(cv::getNumThreads(), 1, 8);
-  std::vector<std::vector<CellMoments>> partial(stripes, std::vector<CellMoments>(cells));
+  partial_.resize(stripes);
   cv::parallel_for_({0, stripes}, [&](const cv::Range& range) {
-    for (int i = range.start; i < range.end; ++i)
+    for (int i = range.start; i < range.end; ++i) {
+      partial_[i].assign(cells, {});
       HWY_DYNAMIC_DISPATCH(add_rows)
-      (labels, labels.rows * i / stripes, labels.rows * (i + 1) / stripes, partial[i].data());
-  });
-  for (int i = 1; i < stripes; ++i) {
-    for (int k = 0; k < cells; ++k) {
-      partial[0][k].count += partial[i][k].count;
-      partial[0][k].sum_x += partial[i][k].sum_x;
-      partial[0][k].sum_y += partial[i][k].sum_y;
+      (labels, labels.rows * i / stripes, labels.rows * (i + 1) / stripes, partial_[i].data());
     }
-  }
-  return std::move(partial[0]);
+  });
+  cv::parallel_for_({0, cells}, [&](const cv::Range& range) {
+    for (int i = 1; i < stripes; ++i) {
+      for (int k = range.start; k < range.end; ++k) {
+        partial_[0][k].count += partial_[i][k].count;
+        partial_[0][k].sum_x += partial_[i][k].sum_x;
+        partial_[0][k].sum_y += partial_[i][k].sum_y;
+      }
+    }
+  });
+  return partial_[0];
 }
+
+std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells) { return CellSums().of(labels, cells); }
 
 }  // namespace tessera
 #endif
