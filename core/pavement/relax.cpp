@@ -13,6 +13,7 @@ constexpr int kRounds = 30;
 constexpr double kSlide = 0.35;   // of h: how far a vertex slides along a frontier
 constexpr double kStraight = 0.15;  // of h: how far a flat vertex may be from its stone's side
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
+constexpr double kBand = 1024;      // px: height of the bands that are relaxed side by side
 constexpr double kMargin = 0.15;  // of the line between its neighbours: how near a vertex comes to either
 
 class Relaxer {
@@ -25,12 +26,23 @@ class Relaxer {
     list_corners();
   }
 
+  // One round moves corner after corner, each from where the last one left its neighbours. Bands of the picture have no
+  // vertex in common, so they go side by side; what lies across their borders goes last.
+  //
   // `pull`: how strongly vertices are drawn back to where they began.
   void round(double pull) {
-    for (Node& node : nodes_)
-      if (node.freedom == Freedom::kFrontier || (pull > 0 && node.freedom != Freedom::kFixed))
-        move(node, pull * (node.begin - node.p));
-    for (const Corner& corner : corners_) straighten(corner);
+    cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
+      for (int v = range.start; v < range.end; ++v) {
+        Node& node = nodes_[v];
+        if (node.freedom == Freedom::kFrontier || (pull > 0 && node.freedom != Freedom::kFixed))
+          move(node, pull * (node.begin - node.p));
+      }
+    });
+    cv::parallel_for_({0, static_cast<int>(bands_.size())}, [&](const cv::Range& range) {
+      for (int band = range.start; band < range.end; ++band)
+        for (const Corner& corner : bands_[band]) straighten(corner);
+    });
+    for (const Corner& corner : across_) straighten(corner);
   }
 
   // Sliding along a tangent leaves a curved frontier.
@@ -139,9 +151,16 @@ class Relaxer {
         const int v = map_.ring[slot];
         if (t_.freedom[v] != Freedom::kFree) continue;
         const int before = map_.ring[map_.previous(cell, slot)], after = map_.ring[map_.next(cell, slot)];
-        corners_.push_back({v, before, after, flat_[slot] != 0});
+        const std::size_t band = band_of(v);
+        const bool inside = band_of(before) == band && band_of(after) == band;
+        if (inside && bands_.size() <= band) bands_.resize(band + 1);
+        (inside ? bands_[band] : across_).push_back({v, before, after, flat_[slot] != 0});
       }
     }
+  }
+
+  std::size_t band_of(int vertex) const {
+    return static_cast<std::size_t>(std::max(0.0, std::ceil(nodes_[vertex].begin.y / kBand) - 1));
   }
 
   void straighten(const Corner& corner) {
@@ -166,7 +185,8 @@ class Relaxer {
   const double half_side_;
   std::vector<Node> nodes_;
   Ring ring_;  // of the cell looked at
-  std::vector<Corner> corners_;
+  std::vector<std::vector<Corner>> bands_;
+  std::vector<Corner> across_;
 };
 
 }  // namespace
