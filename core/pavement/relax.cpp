@@ -64,23 +64,31 @@ class Relaxer {
 
   // Undoes the moves of tangled stones, until none is left that undoing helps.
   void untangle(std::vector<char>& flat) {
-    std::vector<char> undone(map_.vertices.size(), 0);
+    std::vector<char> undone(map_.vertices.size(), 0), tangled(map_.cells());
+    const auto each_cell = [&](const auto& visit) {
+      cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
+        for (int cell = range.start; cell < range.end; ++cell) visit(cell);
+      });
+    };
     for (bool again = true; again;) {
       again = false;
+      each_cell([&](int cell) { tangled[cell] = is_tangled(cell); });
       for (int cell = 0; cell < map_.cells(); ++cell) {
-        if (!is_tangled(cell)) continue;
-        for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
-          const int v = map_.ring[slot];
-          if (undone[v]) continue;
-          undone[v] = 1;
+        const auto begin = map_.ring.begin() + map_.first[cell], end = map_.ring.begin() + map_.first[cell + 1];
+        // Undoing the moves of a neighbour may have mended it, or spoilt it.
+        const bool changed = std::any_of(begin, end, [&](int v) { return undone[v] != 0; });
+        if (!(changed ? is_tangled(cell) : tangled[cell] != 0)) continue;
+        for (auto v = begin; v != end; ++v) {
+          if (undone[*v]) continue;
+          undone[*v] = 1;
           again = true;
-          map_.vertices[v] = nodes_[v].begin;
+          map_.vertices[*v] = nodes_[*v].begin;
         }
       }
       for (std::size_t slot = 0; slot < flat.size(); ++slot)
         if (undone[map_.ring[slot]]) flat[slot] = 0;
     }
-    for (int cell = 0; cell < map_.cells(); ++cell) keep_straight(cell, flat);
+    each_cell([&](int cell) { keep_straight(cell, flat); });
   }
 
  private:
@@ -98,9 +106,8 @@ class Relaxer {
   }
 
   // Corners that cross or coincide, or an outline turned over.
-  bool is_tangled(int cell) {
-    Ring& ring = ring_;
-    ring.clear();
+  bool is_tangled(int cell) const {
+    Ring ring;
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot)
       if (!flat_[slot]) ring.push_back(map_.at(slot));
     bool convex = true;
@@ -184,7 +191,6 @@ class Relaxer {
   const std::vector<char>& flat_;
   const double half_side_;
   std::vector<Node> nodes_;
-  Ring ring_;  // of the cell looked at
   std::vector<std::vector<Corner>> bands_;
   std::vector<Corner> across_;
 };

@@ -17,7 +17,7 @@ int label_at(const LabelMap& labels, int x, int y) {
 }
 
 // Labels of the pixels NW, NE, SE, SW of a corner.
-std::array<int, 4> around(const LabelMap& labels, int x, int y) {
+inline std::array<int, 4> around(const LabelMap& labels, int x, int y) {
   if (x > 0 && y > 0 && x < labels.cols && y < labels.rows) {
     const int *upper = labels[y - 1] + x, *lower = labels[y] + x;
     return {upper[-1], upper[0], lower[0], lower[-1]};
