@@ -153,6 +153,10 @@ class Relaxer {
   };
 
   void list_corners() {
+    std::size_t bands = 1;
+    for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) bands = std::max(bands, band_of(v) + 1);
+    bands_.resize(bands);
+    for (auto& band : bands_) band.reserve(map_.ring.size() / bands);
     for (int cell = 0; cell < map_.cells(); ++cell) {
       for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
         const int v = map_.ring[slot];
@@ -160,7 +164,6 @@ class Relaxer {
         const int before = map_.ring[map_.previous(cell, slot)], after = map_.ring[map_.next(cell, slot)];
         const std::size_t band = band_of(v);
         const bool inside = band_of(before) == band && band_of(after) == band;
-        if (inside && bands_.size() <= band) bands_.resize(band + 1);
         (inside ? bands_[band] : across_).push_back({v, before, after, flat_[slot] != 0});
       }
     }
