@@ -10,6 +10,13 @@ namespace {
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 
+// Nearest whole number, ties to even, for |v| < 2^51: at this size a double has no digits after the point. (The
+// library's rint is a call where the instruction is not.)
+double round_even(double v) {
+  constexpr double kWhole = 6755399441055744.0;  // 1.5 * 2^52
+  return (v + kWhole) - kWhole;
+}
+
 // Taylor series on |x| <= pi/4, Horner form.
 double sin_series(double x) {
   const double z = x * x;
@@ -41,15 +48,12 @@ double atan_unit(double t) {
 }  // namespace
 
 SinCos sin_cos(double angle) {
-  const double k = std::nearbyint(angle * (2.0 / kPi));
+  const double k = round_even(angle * (2.0 / kPi));
   const double x = (angle - k * kHalfPiHigh) - k * kHalfPiLow;
   const double s = sin_series(x), c = cos_series(x);
-  switch (static_cast<long long>(k) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-  }
+  const int quarter = static_cast<int>(k) & 3;
+  const double sine = quarter & 1 ? c : s, cosine = quarter & 1 ? s : c;
+  return {quarter & 2 ? -sine : sine, (quarter + 1) & 2 ? -cosine : cosine};
 }
 
 double atan2_portable(double y, double x) {
@@ -60,11 +64,11 @@ double atan2_portable(double y, double x) {
   return y < 0 ? -a : a;
 }
 
-double snap_position(double v) { return std::nearbyint(v * 1024.0) / 1024.0; }
+double snap_position(double v) { return round_even(v * 1024.0) / 1024.0; }
 
 double snap_angle(double v) {
   constexpr double kStep = 2.0 * kPi / 65536.0;
-  return std::nearbyint(v / kStep) * kStep;
+  return round_even(v / kStep) * kStep;
 }
 
 }  // namespace tessera

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 namespace tessera::pavement {
 namespace {
@@ -35,22 +36,25 @@ void simplify(const std::vector<Point>& line, std::size_t begin, std::size_t end
 
 class Bender {
  public:
-  Bender(const CellGraph& graph, const Diagram& diagram, const Fields& fields, Tessellation& t)
-      : graph_(graph), diagram_(diagram), fields_(fields), t_(t), bends_(graph.arcs.size()) {}
+  Bender(const Diagram& diagram, const Fields& fields, Tessellation& t)
+      : graph_(diagram.graph), diagram_(diagram), fields_(fields), t_(t), bends_(graph_.arcs.size()) {}
 
   void follow_frontiers() {
-    for (std::size_t k = 0; k < graph_.arcs.size(); ++k) {
-      const Arc& arc = graph_.arcs[k];
-      if (arc.left < 0 || arc.right < 0 || t_.zone[arc.left] == t_.zone[arc.right] || arc.length < 3) continue;
-      bends_[k] = bends_of(static_cast<int>(k));
-    }
+    cv::parallel_for_({0, static_cast<int>(graph_.arcs.size())}, [&](const cv::Range& range) {
+      for (int k = range.start; k < range.end; ++k) {
+        const Arc& arc = graph_.arcs[k];
+        if (arc.left < 0 || arc.right < 0 || t_.zone[arc.left] == t_.zone[arc.right] || arc.length < 3) continue;
+        bends_[k] = bends_of(k);
+      }
+    });
     for (std::size_t k = 0; k < graph_.arcs.size(); ++k)
       if (!bends_[k].empty()) move_joints(static_cast<int>(k));
   }
 
   // A stone has four corners at least: the longest arcs of cells with fewer get the missing ones.
-  void complete_rings(const std::vector<std::vector<int>>& rings) {
-    for (const auto& ring : rings) {
+  void complete_rings(const CellRings& rings) {
+    for (int cell = 0; cell < rings.cells(); ++cell) {
+      const auto ring = rings[cell];
       int corners = 0;
       for (const int h : ring) corners += 1 + static_cast<int>(bends_[h >> 1].size());
       if (ring.empty() || corners >= 4) continue;
@@ -61,7 +65,7 @@ class Bender {
     }
   }
 
-  void assemble(const std::vector<std::vector<int>>& rings) {
+  void assemble(const CellRings& rings) {
     std::vector<int> first(bends_.size());
     for (std::size_t k = 0; k < bends_.size(); ++k) {
       first[k] = static_cast<int>(t_.map.vertices.size());
@@ -74,8 +78,8 @@ class Bender {
         t_.between.push_back({});
       }
     }
-    for (const auto& ring : rings) {
-      for (const int h : ring) {
+    for (int cell = 0; cell < rings.cells(); ++cell) {
+      for (const int h : rings[cell]) {
         t_.map.ring.push_back(graph_.tail(h));
         const int k = h >> 1, n = static_cast<int>(bends_[k].size());
         for (int i = 0; i < n; ++i) t_.map.ring.push_back(first[k] + (h & 1 ? n - 1 - i : i));
@@ -168,10 +172,10 @@ class Bender {
 
 }  // namespace
 
-void bend_arcs(const CellGraph& graph, const Diagram& diagram, const Fields& fields, Tessellation& t) {
+void bend_arcs(const Diagram& diagram, const Fields& fields, Tessellation& t) {
   std::vector<int> enclosing;
-  const auto rings = cell_rings(graph, diagram.cells, enclosing);
-  Bender bender(graph, diagram, fields, t);
+  const CellRings rings = cell_rings(diagram.graph, diagram.cells, enclosing);
+  Bender bender(diagram, fields, t);
   bender.follow_frontiers();
   bender.complete_rings(rings);
   bender.assemble(rings);

@@ -7,7 +7,6 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/voronoi/cells.h"
-#include "tessera/voronoi/trace.h"
 
 namespace tessera::pavement {
 namespace {
@@ -56,6 +55,9 @@ class Lloyd {
     settle(site);
   }
 
+  // Asks for the pixels that a site will look at in a while: it does not move far.
+  void prefetch(const Site& site) const { fields_.prefetch(site.x, site.y); }
+
  private:
   // A band too narrow for two rows of stones gets one, whose stones reach across.
   void settle_in_band(Site& site, double distance, double half_width) const {
@@ -93,18 +95,17 @@ class Lloyd {
 };
 
 // Sites for the patches that no site reached: each becomes a cell of its own.
-void seed_unreached(Sites& sites, LabelMap labels, const Fields& fields, const Params& params) {
+void seed_unreached(Sites& sites, const LabelMap& labels, const Fields& fields, const Params& params) {
   const int first = static_cast<int>(sites.size());
-  const int cells = connect_cells(labels, fields.zones.map, first);
-  if (cells == first) return;
+  int cells = first;
+  const CellRuns runs = connected_runs(labels, fields.zones.map, cells);
   std::vector<cv::Point> deepest(cells - first, {-1, -1});
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const int k = labels(y, x) - first;
-      if (k < 0) continue;
-      cv::Point& best = deepest[k];
-      if (best.x < 0 || fields.distance(y, x) > fields.distance(best)) best = {x, y};
-    }
+  for (const int i : runs.changed) {
+    const CellRun& run = runs.all[i];
+    if (run.label < first) continue;
+    cv::Point& best = deepest[run.label - first];
+    for (int x = run.begin; x < run.end; ++x)
+      if (best.x < 0 || fields.distance(run.y, x) > fields.distance(best)) best = {x, run.y};
   }
   for (const cv::Point& p : deepest) {
     Site site;
@@ -118,7 +119,10 @@ void seed_unreached(Sites& sites, LabelMap labels, const Fields& fields, const P
 
 // Gives each empty cell's site a place beside that of one of the largest cells of its zone.
 int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
-  std::map<int, std::vector<int>> largest;  // by zone, filled where needed
+  std::map<int, std::vector<int>> largest;  // by zone, filled where needed: a heap
+  const auto smaller = [&](int a, int b) {
+    return moments[a].count != moments[b].count ? moments[a].count < moments[b].count : a < b;
+  };
   int reseeded = 0;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (moments[i].count > 0) continue;
@@ -126,10 +130,10 @@ int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
     if (candidates.empty()) {
       for (std::size_t k = 0; k < sites.size(); ++k)
         if (sites[k].zone == sites[i].zone && moments[k].count > 1) candidates.push_back(static_cast<int>(k));
-      std::stable_sort(candidates.begin(), candidates.end(),
-                       [&](int a, int b) { return moments[a].count < moments[b].count; });
+      std::make_heap(candidates.begin(), candidates.end(), smaller);
     }
     if (candidates.empty()) continue;
+    std::pop_heap(candidates.begin(), candidates.end(), smaller);
     const int k = candidates.back();
     candidates.pop_back();
     const SinCos turn = sin_cos(sites[k].angle);
@@ -142,10 +146,14 @@ int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
   return reseeded;
 }
 
+// A cell's zone, from any of its pixels.
 std::vector<std::uint8_t> zones_of_cells(const LabelMap& labels, const cv::Mat1b& zones, int cells) {
   std::vector<std::uint8_t> zone(cells, 0);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x) zone[labels(y, x)] = zones(y, x);
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels[y];
+    for (int x = 0; x < labels.cols; ++x)
+      if (x == 0 || row[x] != row[x - 1]) zone[row[x]] = zones(y, x);
+  }
   return zone;
 }
 
@@ -153,19 +161,23 @@ std::vector<std::uint8_t> zones_of_cells(const LabelMap& labels, const cv::Mat1b
 
 Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& params, std::uint64_t seed,
                               Rasterizer& rasterizer, const RunContext& context, const IterationObserver& observer) {
+  constexpr int kAhead = 12;  // sites
   const Lloyd lloyd(fields, params, seed);
+  CellSums sums;
   Diagram diagram;
   const double reach = 8 * fields.half_side;
   if (auto ready = rasterizer.begin(fields.zones.map, Metric::kFrustum, reach); !ready)
     return tl::unexpected(ready.error());
-  for (Site& site : sites) lloyd.settle(site);
+  cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
+    for (int i = range.start; i < range.end; ++i) lloyd.settle(sites[i]);
+  });
 
   for (int iteration = 0; iteration <= params.iterations; ++iteration) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
     if (auto labelled = rasterizer.label(sites, diagram.labels); !labelled) return tl::unexpected(labelled.error());
     if (iteration == 0) {
       const std::size_t reached = sites.size();
-      seed_unreached(sites, diagram.labels.clone(), fields, params);
+      seed_unreached(sites, diagram.labels, fields, params);
       for (std::size_t i = reached; i < sites.size(); ++i) lloyd.settle(sites[i]);
       if (sites.size() > reached)
         if (auto again = rasterizer.label(sites, diagram.labels); !again) return tl::unexpected(again.error());
@@ -173,16 +185,18 @@ Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& p
     if (observer) observer({iteration, params.iterations, fields.scale, sites, diagram.labels, fields.zones.palette});
     context.progress(0.1 + 0.6 * (iteration + 1) / (params.iterations + 1));
     if (iteration == params.iterations) break;
-    const auto moments = cell_moments(diagram.labels, static_cast<int>(sites.size()));
+    const std::vector<CellMoments>& moments = sums.of(diagram.labels, static_cast<int>(sites.size()));
     cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
-      for (int i = range.start; i < range.end; ++i)
+      for (int i = range.start; i < range.end; ++i) {
+        lloyd.prefetch(sites[std::min(i + kAhead, range.end - 1)]);
         if (moments[i].count > 0) lloyd.recentre(sites[i], moments[i]);
+      }
     });
     diagram.reseeded += reseed_empty(sites, moments);
   }
 
-  const int cells = connect_cells(diagram.labels, fields.zones.map, static_cast<int>(sites.size()));
-  diagram.cells = open_enclosures(diagram.labels, fields.zones.map, cells);
+  diagram.cells = connect_cells(diagram.labels, fields.zones.map, static_cast<int>(sites.size()));
+  diagram.graph = open_enclosures(diagram.labels, fields.zones.map, diagram.cells);
   diagram.cell_zone = zones_of_cells(diagram.labels, fields.zones.map, diagram.cells);
   diagram.sites = std::move(sites);
   return diagram;

@@ -5,12 +5,14 @@
 #include "tessera/pavement/fields.h"
 #include "tessera/pavement/params.h"
 #include "tessera/voronoi/lloyd.h"
+#include "tessera/voronoi/trace.h"
 
 namespace tessera::pavement {
 
 struct Diagram {
   Sites sites;
   LabelMap labels;               // connected cells, none within another
+  CellGraph graph;               // their boundaries
   int cells = 0;                 // the first sites.size() of them belong to the sites; a site may have lost its own
   std::vector<std::uint8_t> cell_zone;
   int reseeded = 0;

@@ -42,6 +42,7 @@ struct Fields {
   int zone_at(double x, double y) const;
   Point inside(double x, double y) const;  // the point of the picture nearest to (x, y)
   double distance_near(double x, double y) const;  // of the pixel at or nearest to (x, y)
+  void prefetch(double x, double y) const;         // that pixel's distance and zone, for later
   // Half the width of the zone around (x, y): the height of the distance field's ridge uphill from there; at most `cap`.
   double half_width_at(double x, double y, double cap) const;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
+#include <functional>
 #include <queue>
 
 namespace tessera::pavement {
@@ -110,8 +111,6 @@ class Matcher {
     return sum;
   }
 
-  double rise(int cell, int lost, int gained) const { return badness(cell, lost, gained) - badness(cell, -1, -1); }
-
   bool free_candidate(int slot) const { return candidate_at_[slot] && !flat_[slot]; }
 
   void take(const Candidate& c) {
@@ -175,47 +174,52 @@ class Matcher {
   // Cheapest chain by which `start` gets one more flat angle: it takes one from a stone, which takes one from another,
   // until a vertex that was no stone's. Returns whether there was one.
   bool augment(int start) {
-    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
-    std::vector<Link> links;
-    std::vector<int> seen;  // slots lost so far
-    const auto expand = [&](int cell, int lost, int before, double cost) {
-      for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s) {
-        if (!free_candidate(s) || s == lost) continue;
-        const double step = rise(cell, lost, s);
-        if (step > kTooFar) continue;
-        links.push_back({cost + std::max(kChange, step), s, lost, before});
-        queue.push({links.back().cost, static_cast<int>(links.size()) - 1});
-      }
-    };
+    links_.clear();
+    open_.clear();
+    lost_.clear();
     expand(start, -1, -1, 0);
-    for (int looked = 0; !queue.empty() && looked < kSearchLimit; ++looked) {
-      const int at = queue.top().second;
-      queue.pop();
-      const Link link = links[at];
+    for (int looked = 0; !open_.empty() && looked < kSearchLimit; ++looked) {
+      const int at = open_.front().second;
+      std::pop_heap(open_.begin(), open_.end(), std::greater<>());
+      open_.pop_back();
+      const Link link = links_[at];
       const int held = owner_[map_.ring[link.gained]];
       if (held < 0) {
-        flip(links, at);
+        flip(at);
         --spare_[start];
         return true;
       }
-      if (!candidate_at_[held] || std::find(seen.begin(), seen.end(), held) != seen.end()) continue;
+      if (!candidate_at_[held] || std::find(lost_.begin(), lost_.end(), held) != lost_.end()) continue;
       const int loser = cell_of_[held];
-      if (in_chain(links, at, loser)) continue;
-      seen.push_back(held);
+      if (in_chain(at, loser)) continue;
+      lost_.push_back(held);
       expand(loser, held, at, link.cost);
     }
     return false;
   }
 
-  bool in_chain(const std::vector<Link>& links, int at, int cell) const {
-    for (; at >= 0; at = links[at].before)
-      if (cell_of_[links[at].gained] == cell) return true;
+  // Opens the links by which a cell that loses one flat angle (-1: none) gains another.
+  void expand(int cell, int lost, int before, double cost) {
+    const double now = badness(cell, -1, -1);
+    for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s) {
+      if (!free_candidate(s) || s == lost) continue;
+      const double step = badness(cell, lost, s) - now;
+      if (step > kTooFar) continue;
+      open_.push_back({cost + std::max(kChange, step), static_cast<int>(links_.size())});
+      std::push_heap(open_.begin(), open_.end(), std::greater<>());
+      links_.push_back({cost + std::max(kChange, step), s, lost, before});
+    }
+  }
+
+  bool in_chain(int at, int cell) const {
+    for (; at >= 0; at = links_[at].before)
+      if (cell_of_[links_[at].gained] == cell) return true;
     return false;
   }
 
-  void flip(const std::vector<Link>& links, int at) {
-    for (; at >= 0; at = links[at].before) {
-      const int slot = links[at].gained, vertex = map_.ring[slot];
+  void flip(int at) {
+    for (; at >= 0; at = links_[at].before) {
+      const int slot = links_[at].gained, vertex = map_.ring[slot];
       if (owner_[vertex] >= 0) flat_[owner_[vertex]] = 0;
       flat_[slot] = 1;
       owner_[vertex] = slot;
@@ -229,6 +233,10 @@ class Matcher {
   std::vector<int> owner_;                 // slot at which a vertex is flat, -1: none
   std::vector<int> spare_;                 // vertices of a cell above four that are corners still
   std::vector<int> cell_of_;               // of a slot
+  // Of one search, kept for their memory: links, those not looked at yet by cost (a heap), and the slots lost so far.
+  std::vector<Link> links_;
+  std::vector<std::pair<double, int>> open_;
+  std::vector<int> lost_;
   std::vector<double> cost_;               // of a candidate, while its cell's flat angles stay as they are
 };
 

@@ -5,7 +5,6 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/geometry/planar_map.h"
-#include "tessera/voronoi/trace.h"
 
 namespace tessera::pavement {
 namespace {
@@ -13,10 +12,9 @@ namespace {
 // Vertices at the pixel corners where 3 or 4 labels meet (2 along the border), given to each of their cells; each cell's
 // then sorted by their angle around their mean.
 PlanarMap extract(const Diagram& diagram) {
-  const CellGraph graph = trace_cells(diagram.labels);
   PlanarMap map;
   std::vector<std::vector<int>> rings(diagram.cells);
-  for (const Junction& junction : graph.junctions) {
+  for (const Junction& junction : diagram.graph.junctions) {
     for (int k = 0; k < 4; ++k) {
       const int label = junction.labels[k];
       const auto end = junction.labels.begin() + k;

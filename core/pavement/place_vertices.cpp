@@ -5,7 +5,6 @@
 #include <opencv2/core/utility.hpp>
 
 #include "tessera/pavement/bend_arcs.h"
-#include "tessera/voronoi/trace.h"
 
 namespace tessera::pavement {
 namespace {
@@ -168,7 +167,7 @@ bool to_frontier(const Zones& zones, int a, int b, double limit, Point& p) {
 }
 
 Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
-  const CellGraph graph = trace_cells(diagram.labels);
+  const CellGraph& graph = diagram.graph;
   const Placer placer(diagram, fields);
   const std::size_t n = graph.junctions.size();
   Tessellation t;
@@ -181,7 +180,7 @@ Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
     for (int i = range.start; i < range.end; ++i)
       placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i], t.between[i]);
   });
-  bend_arcs(graph, diagram, fields, t);
+  bend_arcs(diagram, fields, t);
   return t;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/geometry/polygon.h"
 
@@ -12,50 +13,82 @@ constexpr int kRounds = 30;
 constexpr double kSlide = 0.35;   // of h: how far a vertex slides along a frontier
 constexpr double kStraight = 0.15;  // of h: how far a flat vertex may be from its stone's side
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
+constexpr double kBand = 1024;      // px: height of the bands that are relaxed side by side
 constexpr double kMargin = 0.15;  // of the line between its neighbours: how near a vertex comes to either
 
 class Relaxer {
  public:
   Relaxer(Tessellation& t, const std::vector<char>& flat, double half_side)
-      : t_(t), map_(t.map), flat_(flat), begin_(t.map.vertices), half_side_(half_side) {
+      : t_(t), map_(t.map), flat_(flat), half_side_(half_side) {
+    nodes_.reserve(t.map.vertices.size());
+    for (std::size_t v = 0; v < t.map.vertices.size(); ++v)
+      nodes_.push_back({t.map.vertices[v], t.map.vertices[v], t.normal[v], mobility(t.freedom[v]), t.freedom[v]});
     list_corners();
   }
 
+  // One round moves corner after corner, each from where the last one left its neighbours. Bands of the picture have no
+  // vertex in common, so they go side by side; what lies across their borders goes last.
+  //
   // `pull`: how strongly vertices are drawn back to where they began.
   void round(double pull) {
-    for (std::size_t v = 0; v < begin_.size(); ++v)
-      if (t_.freedom[v] != Freedom::kFixed) move(static_cast<int>(v), pull * (begin_[v] - map_.vertices[v]));
-    for (const Corner& corner : corners_) straighten(corner);
+    cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
+      for (int v = range.start; v < range.end; ++v) {
+        Node& node = nodes_[v];
+        if (node.freedom == Freedom::kFrontier || (pull > 0 && node.freedom != Freedom::kFixed))
+          move(node, pull * (node.begin - node.p));
+      }
+    });
+    cv::parallel_for_({0, static_cast<int>(bands_.size())}, [&](const cv::Range& range) {
+      for (int band = range.start; band < range.end; ++band)
+        for (const Corner& corner : bands_[band]) straighten(corner);
+    });
+    for (const Corner& corner : across_) straighten(corner);
   }
 
   // Sliding along a tangent leaves a curved frontier.
   void back_to_frontier(const Fields& fields) {
-    for (std::size_t v = 0; v < begin_.size(); ++v) {
-      Point& p = map_.vertices[v];
-      if (t_.freedom[v] == Freedom::kFrontier) to_frontier(fields.zones, t_.between[v][0], t_.between[v][1], 1, p);
-      p = fields.inside(p.x, p.y);
-    }
+    cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
+      for (int v = range.start; v < range.end; ++v) {
+        Node& node = nodes_[v];
+        if (node.freedom == Freedom::kFrontier)
+          to_frontier(fields.zones, t_.between[v][0], t_.between[v][1], 1, node.p);
+        node.p = fields.inside(node.p.x, node.p.y);
+      }
+    });
+  }
+
+  // Moves the tessellation's vertices to where the rounds have led.
+  void apply() {
+    for (std::size_t v = 0; v < nodes_.size(); ++v) map_.vertices[v] = nodes_[v].p;
   }
 
   // Undoes the moves of tangled stones, until none is left that undoing helps.
   void untangle(std::vector<char>& flat) {
-    std::vector<char> undone(map_.vertices.size(), 0);
+    std::vector<char> undone(map_.vertices.size(), 0), tangled(map_.cells());
+    const auto each_cell = [&](const auto& visit) {
+      cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
+        for (int cell = range.start; cell < range.end; ++cell) visit(cell);
+      });
+    };
     for (bool again = true; again;) {
       again = false;
+      each_cell([&](int cell) { tangled[cell] = is_tangled(cell); });
       for (int cell = 0; cell < map_.cells(); ++cell) {
-        if (!is_tangled(cell)) continue;
-        for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
-          const int v = map_.ring[slot];
-          if (undone[v]) continue;
-          undone[v] = 1;
+        const auto begin = map_.ring.begin() + map_.first[cell], end = map_.ring.begin() + map_.first[cell + 1];
+        // Undoing the moves of a neighbour may have mended it, or spoilt it.
+        const bool changed = std::any_of(begin, end, [&](int v) { return undone[v] != 0; });
+        if (!(changed ? is_tangled(cell) : tangled[cell] != 0)) continue;
+        for (auto v = begin; v != end; ++v) {
+          if (undone[*v]) continue;
+          undone[*v] = 1;
           again = true;
-          map_.vertices[v] = begin_[v];
+          map_.vertices[*v] = nodes_[*v].begin;
         }
       }
       for (std::size_t slot = 0; slot < flat.size(); ++slot)
         if (undone[map_.ring[slot]]) flat[slot] = 0;
     }
-    for (int cell = 0; cell < map_.cells(); ++cell) keep_straight(cell, flat);
+    each_cell([&](int cell) { keep_straight(cell, flat); });
   }
 
  private:
@@ -87,9 +120,16 @@ class Relaxer {
     return !(convex && ring.size() == 4) && !is_simple(ring);
   }
 
+  // A vertex with all that its moves need, side by side.
+  struct Node {
+    Point p, begin, normal;
+    double mobility;
+    Freedom freedom;
+  };
+
   // How far a vertex gives way. Those on frontiers little: a slide around a corner of the drawing would cut it off.
-  double mobility(int vertex) const {
-    switch (t_.freedom[vertex]) {
+  static double mobility(Freedom freedom) {
+    switch (freedom) {
       case Freedom::kFree: return 0.5;
       case Freedom::kFrontier: return 0.15;
       case Freedom::kBorder: return 0.5;
@@ -98,14 +138,12 @@ class Relaxer {
     return 0;
   }
 
-  void move(int vertex, Point by) {
-    const Point n = t_.normal[vertex];
-    Point& p = map_.vertices[vertex];
-    p += by - dot(by, n) * n;
-    if (t_.freedom[vertex] != Freedom::kFrontier) return;
-    const Point way = p - begin_[vertex];
+  void move(Node& node, Point by) const {
+    node.p += by - dot(by, node.normal) * node.normal;
+    if (node.freedom != Freedom::kFrontier) return;
+    const Point way = node.p - node.begin;
     const double farthest = kSlide * half_side_;
-    if (length(way) > farthest) p = begin_[vertex] + (farthest / length(way)) * way;
+    if (length(way) > farthest) node.p = node.begin + (farthest / length(way)) * way;
   }
 
   // A free vertex between its neighbours in a stone's outline. On a frontier the drawing rules, not the straight line.
@@ -115,27 +153,36 @@ class Relaxer {
   };
 
   void list_corners() {
+    std::size_t bands = 1;
+    for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) bands = std::max(bands, band_of(v) + 1);
+    bands_.resize(bands);
+    for (auto& band : bands_) band.reserve(map_.ring.size() / bands);
     for (int cell = 0; cell < map_.cells(); ++cell) {
       for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
         const int v = map_.ring[slot];
         if (t_.freedom[v] != Freedom::kFree) continue;
         const int before = map_.ring[map_.previous(cell, slot)], after = map_.ring[map_.next(cell, slot)];
-        corners_.push_back({v, before, after, flat_[slot] != 0});
+        const std::size_t band = band_of(v);
+        const bool inside = band_of(before) == band && band_of(after) == band;
+        (inside ? bands_[band] : across_).push_back({v, before, after, flat_[slot] != 0});
       }
     }
   }
 
+  std::size_t band_of(int vertex) const {
+    return static_cast<std::size_t>(std::max(0.0, std::ceil(nodes_[vertex].begin.y / kBand) - 1));
+  }
+
   void straighten(const Corner& corner) {
-    const int v = corner.vertex, a = corner.before, b = corner.after;
-    const Point p = map_.vertices[v], pa = map_.vertices[a], pb = map_.vertices[b];
-    const Point way = pb - pa;
+    Node &v = nodes_[corner.vertex], &a = nodes_[corner.before], &b = nodes_[corner.after];
+    const Point way = b.p - a.p;
     const double size2 = dot(way, way);
     if (size2 < 1e-12) return;
-    const double off = cross(way, p - pa);  // positive: hollow, clockwise rings with y down
+    const double off = cross(way, v.p - a.p);  // positive: hollow, clockwise rings with y down
     if (!corner.flat && off <= 0) return;
-    const double along = std::clamp(dot(p - pa, way) / size2, kMargin, 1 - kMargin);
-    const Point error = p - (pa + along * way);
-    const double wa = mobility(a) * (1 - along), wb = mobility(b) * along;
+    const double along = std::clamp(dot(v.p - a.p, way) / size2, kMargin, 1 - kMargin);
+    const Point error = v.p - (a.p + along * way);
+    const double wa = a.mobility * (1 - along), wb = b.mobility * along;
     const double total = 1 + wa * (1 - along) + wb * along;
     move(v, (-1 / total) * error);
     move(a, (wa / total) * error);
@@ -145,9 +192,10 @@ class Relaxer {
   Tessellation& t_;
   PlanarMap& map_;
   const std::vector<char>& flat_;
-  const std::vector<Point> begin_;
   const double half_side_;
-  std::vector<Corner> corners_;
+  std::vector<Node> nodes_;
+  std::vector<std::vector<Corner>> bands_;
+  std::vector<Corner> across_;
 };
 
 }  // namespace
@@ -159,6 +207,7 @@ void relax(Tessellation& t, std::vector<char>& flat, const Fields& fields) {
     if (i == kRounds / 2) relaxer.back_to_frontier(fields);
   }
   relaxer.back_to_frontier(fields);
+  relaxer.apply();
   relaxer.untangle(flat);
 }
 

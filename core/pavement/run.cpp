@@ -1,6 +1,7 @@
 #include "tessera/pavement/run.h"
 
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/pavement/diagram.h"
 #include "tessera/pavement/fields.h"
@@ -33,10 +34,14 @@ std::vector<Ring> extract_stones(const Diagram& diagram, const Fields& fields, c
 void lay_stones(std::vector<Ring> rings, const std::vector<int>& vertices_before, const Diagram& diagram,
                 const Fields& fields, const Params& params, Output& output) {
   constexpr double kLeastArea = 0.01;  // px^2
+  cv::parallel_for_({0, static_cast<int>(rings.size())}, [&](const cv::Range& range) {
+    for (int cell = range.start; cell < range.end; ++cell) {
+      for (Point& p : rings[cell]) p = (1 / fields.scale) * p;
+      shrink(rings[cell], params.grout, params.half_side);
+    }
+  });
   for (std::size_t cell = 0; cell < rings.size(); ++cell) {
     Ring& ring = rings[cell];
-    for (Point& p : ring) p = (1 / fields.scale) * p;
-    shrink(ring, params.grout, params.half_side);
     const double size = std::fabs(signed_area(ring));
     if (ring.size() < 3 || size < kLeastArea) continue;
     output.vertices_before.push_back(vertices_before[cell]);

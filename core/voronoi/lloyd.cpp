@@ -1,60 +1,94 @@
+// Sums over cells. Compiled once for each vector instruction set (Highway's foreach_target).
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tessera/voronoi/lloyd.cpp"
+// clang-format off
+#include <hwy/foreach_target.h>
+// clang-format on
+
 #include "tessera/voronoi/lloyd.h"
 
+#include <hwy/highway.h>
+
 #include <algorithm>
-#include <cstring>
 #include <opencv2/core/utility.hpp>
 
+HWY_BEFORE_NAMESPACE();
 namespace tessera {
-namespace {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
-// First column from x on whose label differs from that at x. Pairs of labels are compared at a time.
-int end_of_run(const std::int32_t* row, int x, int columns) {
-  const std::int32_t label = row[x];
-  std::uint64_t pair, expected = static_cast<std::uint32_t>(label);
-  expected |= expected << 32;
-  for (++x; x + 1 < columns; x += 2) {
-    std::memcpy(&pair, row + x, sizeof pair);
-    if (pair != expected) return row[x] == label ? x + 1 : x;
+using Labels = hn::CappedTag<std::int32_t, 8>;
+constexpr int kStep = 64;  // pixels whose ends of runs are found at a time
+
+// Bit i is set where the labels of pixels i and i + 1 differ, for kStep pixels.
+std::uint64_t ends_of_runs(const std::int32_t* row) {
+  const Labels d;
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(Labels()));
+  std::uint64_t ends = 0;
+  for (int i = 0; i < kStep; i += kLanes) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, row + i), hn::LoadU(d, row + i + 1)), bits);
+    ends |= static_cast<std::uint64_t>(bits[0]) << i;
   }
-  while (x < columns && row[x] == label) ++x;
-  return x;
+  return ends;
 }
 
-// Adds runs of equal labels, not pixels: a run from a to b of row y has its sums in closed form.
-void add_rows(const LabelMap& labels, const cv::Range& rows, std::vector<CellMoments>& moments) {
-  for (int y = rows.start; y < rows.end; ++y) {
-    const std::int32_t* row = labels[y];
-    for (int x = 0; x < labels.cols;) {
-      const std::int32_t label = row[x];
-      const int begin = x;
-      x = end_of_run(row, x, labels.cols);
-      if (label < 0) continue;
-      CellMoments& m = moments[label];
-      const std::int64_t n = x - begin;
+// Adds runs of equal labels, not pixels: a run of row y has its sums in closed form.
+void add_row(const std::int32_t* row, int columns, int y, CellMoments* moments) {
+  int begin = 0;
+  const auto end_run = [&](int end) {
+    if (row[begin] >= 0) {
+      CellMoments& m = moments[row[begin]];
+      const std::int64_t n = end - begin;
       m.count += n;
-      m.sum_x += n * (begin + x - 1) / 2;
+      m.sum_x += n * (begin + end - 1) / 2;
       m.sum_y += n * y;
     }
-  }
+    begin = end;
+  };
+  int x = 0;
+  for (; x + kStep < columns; x += kStep)
+    for (std::uint64_t rest = ends_of_runs(row + x); rest != 0; rest &= rest - 1) end_run(x + __builtin_ctzll(rest) + 1);
+  for (; x + 1 < columns; ++x)
+    if (row[x] != row[x + 1]) end_run(x + 1);
+  end_run(columns);
 }
 
-}  // namespace
+void add_rows(const LabelMap& labels, int begin, int end, CellMoments* moments) {
+  for (int y = begin; y < end; ++y) add_row(labels[y], labels.cols, y, moments);
+}
 
-std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells) {
+}  // namespace HWY_NAMESPACE
+}  // namespace tessera
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tessera {
+HWY_EXPORT(add_rows);
+
+const std::vector<CellMoments>& CellSums::of(const LabelMap& labels, int cells) {
   const int stripes = std::clamp(cv::getNumThreads(), 1, 8);
-  std::vector<std::vector<CellMoments>> partial(stripes, std::vector<CellMoments>(cells));
+  partial_.resize(stripes);
   cv::parallel_for_({0, stripes}, [&](const cv::Range& range) {
-    for (int i = range.start; i < range.end; ++i)
-      add_rows(labels, {labels.rows * i / stripes, labels.rows * (i + 1) / stripes}, partial[i]);
-  });
-  for (int i = 1; i < stripes; ++i) {
-    for (int k = 0; k < cells; ++k) {
-      partial[0][k].count += partial[i][k].count;
-      partial[0][k].sum_x += partial[i][k].sum_x;
-      partial[0][k].sum_y += partial[i][k].sum_y;
+    for (int i = range.start; i < range.end; ++i) {
+      partial_[i].assign(cells, {});
+      HWY_DYNAMIC_DISPATCH(add_rows)
+      (labels, labels.rows * i / stripes, labels.rows * (i + 1) / stripes, partial_[i].data());
     }
-  }
-  return std::move(partial[0]);
+  });
+  cv::parallel_for_({0, cells}, [&](const cv::Range& range) {
+    for (int i = 1; i < stripes; ++i) {
+      for (int k = range.start; k < range.end; ++k) {
+        partial_[0][k].count += partial_[i][k].count;
+        partial_[0][k].sum_x += partial_[i][k].sum_x;
+        partial_[0][k].sum_y += partial_[i][k].sum_y;
+      }
+    }
+  });
+  return partial_[0];
 }
+
+std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells) { return CellSums().of(labels, cells); }
 
 }  // namespace tessera
+#endif

@@ -32,7 +32,18 @@ struct CellMoments {
   double centroid_y() const { return static_cast<double>(sum_y) / static_cast<double>(count) + 0.5; }
 };
 
-// One entry a site; an empty cell has count 0. `labels` holds values of -1 (ignored) to cells - 1.
+// Sums over all cells of one label map after another, in memory that is taken once.
+class CellSums {
+ public:
+  // One entry a site; an empty cell has count 0. Valid until the next call. `labels` holds values of -1 (ignored) to
+  // cells - 1.
+  const std::vector<CellMoments>& of(const LabelMap& labels, int cells);
+
+ private:
+  std::vector<std::vector<CellMoments>> partial_;  // one a stripe of rows
+};
+
+// The same, once.
 std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells);
 
 }  // namespace tessera

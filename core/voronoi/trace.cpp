@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <opencv2/core/utility.hpp>
 
 #include "tessera/voronoi/cells.h"
 #include "tessera/voronoi/lloyd.h"
@@ -16,7 +17,7 @@ int label_at(const LabelMap& labels, int x, int y) {
 }
 
 // Labels of the pixels NW, NE, SE, SW of a corner.
-std::array<int, 4> around(const LabelMap& labels, int x, int y) {
+inline std::array<int, 4> around(const LabelMap& labels, int x, int y) {
   if (x > 0 && y > 0 && x < labels.cols && y < labels.rows) {
     const int *upper = labels[y - 1] + x, *lower = labels[y] + x;
     return {upper[-1], upper[0], lower[0], lower[-1]};
@@ -31,36 +32,60 @@ std::pair<int, int> beside(const std::array<int, 4>& a, int direction) {
 
 bool is_junction(const std::array<int, 4>& a) {
   const int different = (a[0] != a[1]) + (a[1] != a[2]) + (a[2] != a[3]) + (a[3] != a[0]);
-  if (different >= 3) return true;
   // The picture's four corners are vertices although only one cell is there.
-  return std::count(a.begin(), a.end(), kOutside) == 3;
+  return different >= 3 || std::count(a.begin(), a.end(), kOutside) == 3;
 }
 
-// Junctions in reading order, and for each corner of the grid its junction or -1.
-void find_junctions(const LabelMap& labels, std::vector<Junction>& junctions, cv::Mat1i& index) {
-  index.create(labels.rows + 1, labels.cols + 1);
-  index.setTo(-1);
-  const auto visit = [&](int x, int y) {
+void find_in_row(const LabelMap& labels, int y, std::vector<Junction>& junctions) {
+  const auto visit = [&](int x) {
     const auto a = around(labels, x, y);
-    if (!is_junction(a)) return;
-    index(y, x) = static_cast<int>(junctions.size());
-    junctions.push_back({x, y, a, {-1, -1, -1, -1}});
+    if (is_junction(a)) junctions.push_back({x, y, a, {-1, -1, -1, -1}});
   };
-  for (int y = 0; y <= labels.rows; ++y) {
-    if (y == 0 || y == labels.rows) {
-      for (int x = 0; x <= labels.cols; ++x) visit(x, y);
-      continue;
-    }
-    visit(0, y);
-    const int *upper = labels[y - 1], *lower = labels[y];
-    for (int x = 1; x < labels.cols; ++x) {
-      // Two labels at most along both diagonals' rows: nothing to see here, most of the time.
-      if (upper[x] == upper[x - 1] && lower[x] == lower[x - 1]) continue;
-      if (upper[x] == lower[x] && upper[x - 1] == lower[x - 1]) continue;
-      visit(x, y);
-    }
-    visit(labels.cols, y);
+  if (y == 0 || y == labels.rows) {
+    for (int x = 0; x <= labels.cols; ++x) visit(x);
+    return;
   }
+  visit(0);
+  const int *upper = labels[y - 1], *lower = labels[y];
+  for (int x = 1; x < labels.cols; ++x) {
+    // Two labels at most along both diagonals' rows: nothing to see here, most of the time.
+    if ((upper[x] == upper[x - 1]) & (lower[x] == lower[x - 1])) continue;
+    if ((upper[x] == lower[x]) & (upper[x - 1] == lower[x - 1])) continue;
+    visit(x);
+  }
+  visit(labels.cols);
+}
+
+// In reading order, and where each row of them begins.
+struct Junctions {
+  std::vector<Junction> all;
+  std::vector<int> row_first;
+
+  int at(int x, int y) const {
+    const auto begin = all.begin() + row_first[y], end = all.begin() + row_first[y + 1];
+    return static_cast<int>(std::lower_bound(begin, end, x, [](const Junction& j, int column) { return j.x < column; }) -
+                            all.begin());
+  }
+};
+
+Junctions find_junctions(const LabelMap& labels) {
+  constexpr int kStripe = 32;  // rows
+  const int rows = labels.rows + 1, stripes = (rows + kStripe - 1) / kStripe;
+  Junctions junctions;
+  junctions.row_first.assign(rows + 1, 0);
+  std::vector<std::vector<Junction>> found(stripes);
+  cv::parallel_for_({0, stripes}, [&](const cv::Range& range) {
+    for (int y = range.start * kStripe; y < std::min(rows, range.end * kStripe); ++y) {
+      std::vector<Junction>& stripe = found[y / kStripe];
+      const std::size_t before = stripe.size();
+      find_in_row(labels, y, stripe);
+      junctions.row_first[y + 1] = static_cast<int>(stripe.size() - before);
+    }
+  });
+  std::partial_sum(junctions.row_first.begin(), junctions.row_first.end(), junctions.row_first.begin());
+  junctions.all.reserve(junctions.row_first.back());
+  for (const auto& stripe : found) junctions.all.insert(junctions.all.end(), stripe.begin(), stripe.end());
+  return junctions;
 }
 
 // The way on from a plain corner reached in `heading`: of the three others the one where labels differ, right first.
@@ -87,31 +112,32 @@ int CellGraph::next(int half_edge) const {
 }
 
 CellGraph trace_cells(const LabelMap& labels) {
+  Junctions junctions = find_junctions(labels);
   CellGraph graph;
-  cv::Mat1i index;
-  find_junctions(labels, graph.junctions, index);
-  graph.arcs.reserve(graph.junctions.size() * 3 / 2 + 8);
-  for (std::size_t j = 0; j < graph.junctions.size(); ++j) {
+  graph.arcs.reserve(junctions.all.size() * 3 / 2 + 8);
+  for (std::size_t j = 0; j < junctions.all.size(); ++j) {
     for (int direction = 0; direction < 4; ++direction) {
-      const auto [left, right] = beside(graph.junctions[j].labels, direction);
-      if (left == right || graph.junctions[j].half_edges[direction] >= 0) continue;
+      const auto [left, right] = beside(junctions.all[j].labels, direction);
+      if (left == right || junctions.all[j].half_edges[direction] >= 0) continue;
       Arc arc{static_cast<int>(j), 0, direction, 0, left, right, 0};
-      int x = graph.junctions[j].x, y = graph.junctions[j].y, heading = direction;
+      int x = junctions.all[j].x, y = junctions.all[j].y, heading = direction;
       for (;;) {
         x += kStepX[heading];
         y += kStepY[heading];
         ++arc.length;
-        if (index(y, x) >= 0) break;
-        heading = turn(around(labels, x, y), heading);
+        const auto a = around(labels, x, y);
+        if (is_junction(a)) break;
+        heading = turn(a, heading);
       }
-      arc.to = index(y, x);
+      arc.to = junctions.at(x, y);
       arc.direction_to = (heading + 2) & 3;
       const int k = static_cast<int>(graph.arcs.size());
-      graph.junctions[j].half_edges[direction] = 2 * k;
-      graph.junctions[arc.to].half_edges[arc.direction_to] = 2 * k + 1;
+      junctions.all[j].half_edges[direction] = 2 * k;
+      junctions.all[arc.to].half_edges[arc.direction_to] = 2 * k + 1;
       graph.arcs.push_back(arc);
     }
   }
+  graph.junctions = std::move(junctions.all);
   return graph;
 }
 
@@ -129,19 +155,32 @@ std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, 
   return corners;
 }
 
-std::vector<std::vector<int>> cell_rings(const CellGraph& graph, int cells, std::vector<int>& enclosing) {
-  std::vector<std::vector<int>> rings(cells);
-  std::vector<bool> seen(2 * graph.arcs.size(), false);
+CellRings cell_rings(const CellGraph& graph, int cells, std::vector<int>& enclosing) {
+  struct Walk {
+    int begin = 0, end = 0;  // in `walked`
+  };
+  std::vector<Walk> longest(cells);
+  std::vector<int> walked;
+  walked.reserve(2 * graph.arcs.size());
+  std::vector<char> seen(2 * graph.arcs.size(), 0);
   for (int start = 0; start < static_cast<int>(seen.size()); ++start) {
     const int label = graph.label_right(start);
     if (seen[start] || label < 0) continue;
-    std::vector<int> ring;
+    Walk walk{static_cast<int>(walked.size()), 0};
     for (int h = start; !seen[h]; h = graph.next(h)) {
-      seen[h] = true;
-      ring.push_back(h);
+      seen[h] = 1;
+      walked.push_back(h);
     }
-    if (!rings[label].empty()) enclosing.push_back(label);
-    if (ring.size() > rings[label].size()) rings[label] = std::move(ring);
+    walk.end = static_cast<int>(walked.size());
+    Walk& best = longest[label];
+    if (best.end > best.begin) enclosing.push_back(label);
+    if (walk.end - walk.begin > best.end - best.begin) best = walk;
+  }
+  CellRings rings;
+  rings.half_edges.reserve(walked.size());
+  for (const Walk& walk : longest) {
+    rings.half_edges.insert(rings.half_edges.end(), walked.begin() + walk.begin, walked.begin() + walk.end);
+    rings.first.push_back(static_cast<int>(rings.half_edges.size()));
   }
   return rings;
 }
@@ -155,10 +194,9 @@ struct Enclosure {
 };
 
 // The junctions of a ring that is not its cell's outer one lie around what it encloses.
-std::vector<Enclosure> find_enclosures(const LabelMap& labels, int cells) {
-  const CellGraph graph = trace_cells(labels);
+std::vector<Enclosure> find_enclosures(const CellGraph& graph, const LabelMap& labels, int cells) {
   std::vector<int> enclosing;
-  const auto rings = cell_rings(graph, cells, enclosing);
+  const CellRings rings = cell_rings(graph, cells, enclosing);
   std::vector<Enclosure> found;
   std::sort(enclosing.begin(), enclosing.end());
   enclosing.erase(std::unique(enclosing.begin(), enclosing.end()), enclosing.end());
@@ -221,12 +259,13 @@ std::vector<int> choose_cuts(const std::vector<Enclosure>& enclosures, int cells
 
 }  // namespace
 
-int open_enclosures(LabelMap& labels, const cv::Mat1b& zones, int cells) {
+CellGraph open_enclosures(LabelMap& labels, const cv::Mat1b& zones, int& cells) {
   // Cuts halve what is enclosed, so this many rounds do for any picture.
   constexpr int kRounds = 64;
+  CellGraph graph = trace_cells(labels);
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<Enclosure> enclosures = find_enclosures(labels, cells);
-    if (enclosures.empty()) return cells;
+    const std::vector<Enclosure> enclosures = find_enclosures(graph, labels, cells);
+    if (enclosures.empty()) break;
     const bool along_x = round % 2 == 0;
     const std::vector<int> cut = choose_cuts(enclosures, cells, along_x);
     // The part on the far side of a line through the enclosed point becomes a new cell.
@@ -243,8 +282,9 @@ int open_enclosures(LabelMap& labels, const cv::Mat1b& zones, int cells) {
       }
     }
     cells = connect_cells(labels, zones, next);
+    graph = trace_cells(labels);
   }
-  return cells;
+  return graph;
 }
 
 }  // namespace tessera

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <opencv2/core.hpp>
+#include <span>
 #include <vector>
 
 #include "tessera/voronoi/rasterizer.h"
@@ -46,12 +47,22 @@ CellGraph trace_cells(const LabelMap& labels);
 // The pixel corners along an arc, both junctions included.
 std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, int arc);
 
-// Half-edges around each cell, clockwise on the screen; `cells` rings, empty where a cell meets no junction. A cell with
-// more than one ring (one that encloses others) keeps the longest; its label is appended to `enclosing`.
-std::vector<std::vector<int>> cell_rings(const CellGraph& graph, int cells, std::vector<int>& enclosing);
+// Half-edges around each cell, clockwise on the screen; none where a cell meets no junction.
+struct CellRings {
+  std::vector<int> first{0};  // where each cell's begin; one more at the end
+  std::vector<int> half_edges;
 
-// Cuts cells that enclose others in two, through the enclosed ones, until none does. Returns the new number of cells
-// (new labels appended). Call connect_cells first; the result is connected too.
-int open_enclosures(LabelMap& labels, const cv::Mat1b& zones, int cells);
+  int cells() const { return static_cast<int>(first.size()) - 1; }
+  std::span<const int> operator[](int cell) const {
+    return std::span(half_edges).subspan(first[cell], first[cell + 1] - first[cell]);
+  }
+};
+
+// A cell with more than one ring (one that encloses others) keeps the longest; its label is appended to `enclosing`.
+CellRings cell_rings(const CellGraph& graph, int cells, std::vector<int>& enclosing);
+
+// Cuts cells that enclose others in two, through the enclosed ones, until none does; new labels are appended and count
+// in `cells`. Returns the boundaries. Call connect_cells first; the result is connected too.
+CellGraph open_enclosures(LabelMap& labels, const cv::Mat1b& zones, int& cells);
 
 }  // namespace tessera

@@ -266,6 +266,21 @@ TEST(Pavement, SameResultOnEveryRunForAnyNumberOfThreads) {
   cv::setNumThreads(threads);
 }
 
+// Vertices are relaxed in bands, of which smaller pictures have but one.
+TEST(Pavement, ATallPictureIsTheSameForAnyNumberOfThreads) {
+  const int threads = cv::getNumThreads();
+  const cv::Mat3b picture = wave_drawing(40, 2100);
+  Params params;
+  params.iterations = 5;
+  cv::setNumThreads(1);
+  const Output one = pave(picture, params, 3);
+  for (const int n : {2, 4}) {
+    cv::setNumThreads(n);
+    EXPECT_TRUE(same(pave(picture, params, 3), one)) << n << " threads";
+  }
+  cv::setNumThreads(threads);
+}
+
 TEST(Pavement, DifferentSeedsMakeDifferentPavements) {
   Params params;
   params.iterations = 3;

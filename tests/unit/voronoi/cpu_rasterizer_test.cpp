@@ -130,6 +130,18 @@ TEST(CpuRasterizer, FewSitesOnALargeCanvas) {
   }
 }
 
+TEST(CpuRasterizer, CrowdedHereSparseThere) {
+  for (const Metric metric : kMetrics) {
+    Rng rng(14, RngPurpose::kSites);
+    const Canvas canvas{random_zones({210, 90}, 2, rng), metric, 1e4};
+    Sites sites = random_sites(canvas, 400, 2, rng);
+    for (Site& site : sites) site.x = snap_position(site.x / 4);
+    const Sites few = random_sites(canvas, 4, 2, rng);
+    sites.insert(sites.end(), few.begin(), few.end());
+    expect_nearest(canvas, sites, label(canvas, sites));
+  }
+}
+
 TEST(CpuRasterizer, SitesFarOutsideTheCanvas) {
   for (const Metric metric : kMetrics) {
     const Canvas canvas{cv::Mat1b(30, 40, static_cast<unsigned char>(0)), metric, 1e5};
