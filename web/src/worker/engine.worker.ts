@@ -3,7 +3,7 @@
 import { createTessera, TesseraError, type Iteration, type Picture, type Problem, type Tessera } from 'tessera-wasm';
 import { bitmapOf, decode, PictureError, scaled } from './decode';
 import { parsePieces, transferable } from './pieces';
-import type { EngineToPainter, FromEngine, RunRequest, ToEngine } from './protocol';
+import type { EngineToPainter, FromEngine, Graphics, RunRequest, ToEngine } from './protocol';
 import { scope } from './scope';
 
 const kPreviewPixels = 600_000;
@@ -26,11 +26,18 @@ const problemsOf = (error: unknown): readonly Problem[] =>
     ? error.problems
     : [{ code: 'internal', field: '', message: error instanceof Error ? error.message : String(error) }];
 
-async function boot({ base, threads, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
+/** A context that nobody will use is not worth its price: making one holds up the page. */
+let canvasOffered = false;
+function offerCanvas(tessera: Tessera): Graphics {
+  canvasOffered = true;
+  return tessera.useCanvas(new OffscreenCanvas(1, 1));
+}
+
+async function boot({ base, threads, graphics, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
   painter = port;
   try {
     engine = await createTessera({ threads, locateFile: (name) => new URL(`engine/${name}`, base).href });
-    const gl = engine.useCanvas(new OffscreenCanvas(1, 1));
+    const gl = graphics && (!graphics.works || graphics.software) ? graphics : offerCanvas(engine);
     const { version, schema, techniques, stopFlag } = engine;
     tell({ type: 'ready', info: { version, threads: engine.threads, schema, techniques, gl }, stopFlag });
   } catch (error) {
@@ -65,6 +72,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
   if (!engine) return;
   newest = id;
   try {
+    if (request.backend === 'gl' && !canvasOffered) offerCanvas(engine);
     await setInputs(engine, request.scale);
     if (newest !== id) return;
     const begin = performance.now();
