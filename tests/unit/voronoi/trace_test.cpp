@@ -63,7 +63,8 @@ std::vector<cv::Point> corners_of(const CellGraph& graph, const LabelMap& labels
   return corners;
 }
 
-// Whether something lies within the cell that is not of it and has no way out, not even diagonally.
+// Whether something lies within the cell that is not of it and has no way out. Where a cell touches itself at a corner,
+// there is none.
 bool encloses(const LabelMap& labels, int cell) {
   cv::Mat1b seen(labels.rows + 2, labels.cols + 2, static_cast<unsigned char>(0));
   std::vector<cv::Point> open{{-1, -1}};
@@ -72,6 +73,7 @@ bool encloses(const LabelMap& labels, int cell) {
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const cv::Point q = open[i] + cv::Point(dx, dy);
+        if (dx != 0 && dy != 0) continue;
         if (q.x < -1 || q.y < -1 || q.x > labels.cols || q.y > labels.rows || seen(q + cv::Point(1, 1))) continue;
         if (label_at(labels, q) == cell) continue;
         seen(q + cv::Point(1, 1)) = 1;

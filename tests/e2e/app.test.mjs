@@ -1,0 +1,229 @@
+// The browser app as people use it, with threads (isolated) and without (a plain static host).
+import AxeBuilder from '@axe-core/playwright';
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { root, withApp } from './browser/app.mjs';
+import { assertSameStones } from './same_stones.mjs';
+
+const tessera = join(root, 'build/native-release/bin/tessera');
+const sample = (name) => join(root, 'public/samples', `${name}.png`);
+const ownDrawings = [sample('ornament'), sample('tiles')];
+const realDrawing = join(root, '../shared/data/pavement/butterfly.png');
+
+async function inFolder(use) {
+  const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
+  try {
+    return await use(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** What the native program makes of a job that the page gave away, on the same picture. */
+function nativeStones(folder, job, picture) {
+  const name = JSON.parse(job).inputs.drawing;
+  copyFileSync(picture, join(folder, name));
+  writeFileSync(join(folder, 'job.json'), job);
+  const output = join(folder, 'native.svg');
+  execFileSync(tessera, ['run', join(folder, 'job.json'), '-o', output, '--backend', 'cpu', '--quiet']);
+  return readFileSync(output, 'utf8');
+}
+
+for (const isolated of [true, false]) {
+  const build = isolated ? 'threads' : 'single';
+
+  test(`${build}: a picture in, files out, the same as the native program's`, async (t) => {
+    if (!existsSync(realDrawing)) t.diagnostic('without a real drawing: ../shared is not here');
+    const pictures = existsSync(realDrawing) ? [...ownDrawings, realDrawing] : ownDrawings;
+    await withApp({ isolated }, async (app) => {
+      await app.finished(); // the sample that is running on arrival
+      assert.equal((await app.threads()) > 1, isolated);
+      for (const picture of pictures) {
+        await app.open(picture);
+        await app.running();
+        await app.finished();
+        const svg = await app.download('SVG');
+        const job = await app.download('job');
+        assert.match(svg.name, /\.svg$/);
+        assert.match((await app.download('DXF')).text, /^\s*0\r?\nSECTION[\s\S]*EOF\s*$/);
+        assert.ok((await app.download('PNG')).text.length > 1000);
+        await inFolder((folder) => assertSameStones(svg.text, nativeStones(folder, job.text, picture)));
+      }
+    });
+  });
+
+  test(`${build}: cancel stops a run within 200 ms, and the next one works`, async (t) => {
+    await withApp({ isolated }, async (app, page) => {
+      await app.finished();
+      await app.set('Iterations', 1000);
+      const times = [];
+      for (let i = 0; i < 3; ++i) {
+        await app.button('Generate').click();
+        await app.running();
+        await page.waitForFunction(() => document.querySelector('[role=progressbar]').ariaValueNow > 5);
+        times.push(
+          await page.evaluate(async () => {
+            const bar = document.querySelector('[role=progressbar]').closest('[data-busy]');
+            const begin = performance.now();
+            [...document.querySelectorAll('button')].find((b) => b.textContent.trim() === 'Cancel').click();
+            while (bar.dataset.busy === 'true') await new Promise((next) => setTimeout(next));
+            return performance.now() - begin;
+          }),
+        );
+      }
+      t.diagnostic(`cancelled after ${times.map(Math.round).join(', ')} ms`);
+      assert.ok(Math.min(...times) <= 200, String(times));
+      await app.set('Iterations', 2);
+      await app.finished();
+    });
+  });
+
+  test(`${build}: a wrong file is told and changes nothing`, async () => {
+    await inFolder(async (folder) => {
+      const wrong = join(folder, '<b>no picture<.png');
+      writeFileSync(wrong, 'this is no picture');
+      await withApp({ isolated }, async (app, page) => {
+        await app.finished();
+        await app.open(wrong);
+        const alert = page.getByRole('alert');
+        await alert.waitFor();
+        assert.match(await alert.textContent(), /<b>no picture<\.png/);
+        await app.openJob(wrong);
+        await page.getByRole('alert').waitFor();
+        await app.generate();
+        assert.equal(await page.getByRole('alert').count(), 0);
+      });
+    });
+  });
+
+  test(`${build}: a job is opened again, from JSON and from an SVG`, async () => {
+    await inFolder(async (folder) => {
+      await withApp({ isolated }, async (app) => {
+        await app.finished();
+        await app.set('Half side', 7);
+        await app.running();
+        await app.finished();
+        for (const kind of ['job', 'SVG']) {
+          const { name, text } = await app.download(kind);
+          const before = JSON.parse((await app.download('job')).text);
+          assert.equal(before.params.halfSide, 7);
+          writeFileSync(join(folder, name), text);
+          await app.button('Coarse').click();
+          await app.running();
+          await app.finished();
+          assert.notEqual(JSON.parse((await app.download('job')).text).params.halfSide, 7);
+          await app.openJob(join(folder, name));
+          await app.running();
+          await app.finished();
+          assert.deepEqual(JSON.parse((await app.download('job')).text).params, before.params);
+        }
+      });
+    });
+  });
+}
+
+test('parameters are undone, redone and kept in the address', async () => {
+  await withApp({ isolated: true }, async (app, page) => {
+    await app.finished();
+    const halfSide = page.getByRole('spinbutton', { name: 'Half side' });
+    await app.set('Half side', 9);
+    await app.finished();
+    await page.keyboard.press('Escape');
+    await page.locator('body').click({ position: { x: 5, y: 5 } });
+    await page.keyboard.press('Control+z');
+    assert.equal(await halfSide.inputValue(), '4');
+    await page.keyboard.press('Control+Shift+z');
+    assert.equal(await halfSide.inputValue(), '9');
+    await app.finished();
+    await page.reload();
+    await app.finished();
+    assert.equal(await halfSide.inputValue(), '9');
+    assert.equal(JSON.parse((await app.download('job')).text).params.halfSide, 9);
+  });
+});
+
+test('a value out of range is told at its field', async () => {
+  await withApp({ isolated: true }, async (app, page) => {
+    await app.finished();
+    await app.set('Stretch min', 5); // larger than stretchMax
+    await page.getByText(/expected at most stretchMax/).first().waitFor();
+    await app.set('Stretch min', 0.5);
+    await app.running();
+    await app.finished();
+  });
+});
+
+test('the main path by keyboard alone', async () => {
+  await withApp({ isolated: true }, async (app, page) => {
+    await app.finished();
+    const focused = () => page.evaluate(() => document.activeElement?.textContent?.trim() ?? '');
+    const tabTo = async (name) => {
+      for (let i = 0; i < 80 && (await focused()) !== name; ++i) await page.keyboard.press('Tab');
+      assert.equal(await focused(), name);
+    };
+    await tabTo('Ornament');
+    await page.keyboard.press('Enter');
+    await app.running();
+    await app.finished();
+    await tabTo('SVG');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+    assert.match(download.suggestedFilename(), /ornament.*\.svg$/);
+  });
+});
+
+test('works without a network after the first load', async () => {
+  for (const isolated of [true, false]) {
+    await withApp({ isolated }, async (app, page) => {
+      await app.finished();
+      await page.evaluate(async () => void (await navigator.serviceWorker.ready));
+      await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+      await app.host.stop();
+      await page.reload();
+      await app.finished();
+      assert.ok((await app.threads()) > 1, 'the second load is isolated by the service worker');
+      await app.generate();
+    });
+  }
+});
+
+test('twenty jobs in a row need no more memory than the first ones', async (t) => {
+  await withApp({ isolated: true }, async (app, page) => {
+    await app.finished();
+    const memory = () => page.evaluate(async () => (await performance.measureUserAgentSpecificMemory()).bytes);
+    const one = async (i) => {
+      await app.set('Seed', 100 + i);
+      await app.running();
+      await app.finished();
+    };
+    for (let i = 0; i < 3; ++i) await one(i);
+    const before = await memory();
+    for (let i = 3; i < 23; ++i) await one(i);
+    const after = await memory();
+    t.diagnostic(`${Math.round(before / 1e6)} MB, then ${Math.round(after / 1e6)} MB`);
+    assert.ok(after <= 1.1 * before, `${before} bytes became ${after}`);
+  });
+});
+
+const looks = [
+  { name: 'desktop-light', colorScheme: 'light' },
+  { name: 'desktop-dark', colorScheme: 'dark' },
+  { name: 'phone-light', colorScheme: 'light', viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
+  { name: 'phone-dark', colorScheme: 'dark', viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
+];
+for (const { name, ...look } of looks) {
+  test(`${name}: axe finds no serious violation`, async () => {
+    await withApp({ isolated: true, ...look }, async (app, page) => {
+      await app.finished();
+      const screenshots = process.env.TESSERA_SCREENSHOTS ?? join(root, 'build/results/screenshots');
+      mkdirSync(screenshots, { recursive: true });
+      await page.screenshot({ path: join(screenshots, `pavement-${name}.png`) });
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+      assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes.map((node) => node.html)]), []);
+    });
+  });
+}
