@@ -9,6 +9,7 @@ import { scope } from './scope';
 const kPreviewPixels = 600_000;
 const kPreviewSites = 16_000;
 const kPreviewPause = 33; // ms
+const kPreviewShare = 8; // of the time, at most one in so many parts goes into previews
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
 let engine: Tessera | undefined;
@@ -95,17 +96,20 @@ async function run(id: number, request: RunRequest): Promise<void> {
   }
 }
 
-/** About thirty previews a second, and always the last one, which stays to be looked at. */
+/** About thirty previews a second, fewer where they cost much, and always the last one, which stays to be looked at. */
 function previewer(id: number, scale: number): (iteration: Iteration) => void {
   let shown = -Infinity;
+  let cost = 0;
   return (iteration) => {
     const { index, last } = iteration;
-    if (index < last && performance.now() - shown < kPreviewPause) return;
+    const begin = performance.now();
+    if (index < last && begin - shown < Math.max(kPreviewPause, kPreviewShare * cost)) return;
     const preview = iteration.draw(kPreviewPixels, kPreviewSites);
     const { cells, palette, sites } = preview;
     show({ type: 'preview', id, preview, scale }, [cells.buffer, palette.buffer, sites.buffer] as ArrayBuffer[]);
     tell({ type: 'iteration', id, index, last });
     shown = performance.now();
+    cost = shown - begin;
   };
 }
 
