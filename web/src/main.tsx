@@ -11,12 +11,12 @@ import { bindKeys } from './state/keys';
 import { engine } from './state/store';
 import { bindTheme } from './state/theme';
 import { App } from './ui/App';
-import type { EngineInfo } from './worker/protocol';
+import type { Graphics } from './worker/protocol';
 
 declare global {
   interface Window {
     /** What runs here, for people who report a problem, and for checks. */
-    tessera: { version: string; threads: number; isolated: boolean; gl: EngineInfo['gl'] | null };
+    tessera: { version: string; threads: number; isolated: boolean; gl: Graphics | null };
   }
 }
 

@@ -1,7 +1,7 @@
 // A preview of the diagram, ready to draw: its cells, its borders, its sites.
 
 import { kCellBorder, kZoneBorder, type Preview } from 'tessera-wasm';
-import { borderTable, cellTable, pixelsOf, type Rgba } from './preview';
+import { borderTable, cellTable, pixelsOf, stampSites, type Rgba } from './preview';
 import type { Context } from './stones';
 import type { Size, View } from './view';
 
@@ -11,27 +11,42 @@ const kSpacing = 18; // CSS px between strokes of the direction field
 export class Diagram {
   private readonly images = new Map<string, OffscreenCanvas>();
 
-  /** `scale`: that of the picture the diagram is of, as a part of the one on the stage. */
+  /** `scale`: that of the picture the diagram is of, as a part of the one on the stage, `width` px wide. */
   constructor(
     private readonly preview: Preview,
     private readonly scale: number,
+    private readonly width: number,
   ) {}
 
   /** Over the picture's whole area, which the context's transform has to map to the unit square. */
   cells(context: Context): void {
-    this.image(context, 'cells', () => cellTable(this.preview.palette, kJoint));
+    this.image(context, 'cells', () => this.cellPixels());
+  }
+
+  /** Cells and sites in one, cheap enough for thirty a second. */
+  live(context: Context, ink: Rgba): void {
+    this.image(context, `live ${ink}`, () => {
+      const pixels = this.cellPixels();
+      stampSites(pixels, this.preview, this.preview.width / (this.width * this.scale), ink);
+      return pixels;
+    });
+  }
+
+  private cellPixels() {
+    return pixelsOf(this.preview, cellTable(this.preview.palette, kJoint));
   }
 
   borders(context: Context, of: 'cells' | 'zones', ink: Rgba): void {
-    this.image(context, `${of} ${ink}`, () => borderTable(of === 'cells' ? kCellBorder : kZoneBorder, ink));
+    const flag = of === 'cells' ? kCellBorder : kZoneBorder;
+    this.image(context, `${of} ${ink}`, () => pixelsOf(this.preview, borderTable(flag, ink)));
   }
 
-  private image(context: Context, key: string, table: () => Uint32Array): void {
+  private image(context: Context, key: string, paint: () => Uint8ClampedArray<ArrayBuffer>): void {
     let canvas = this.images.get(key);
     if (!canvas) {
       const { width, height } = this.preview;
       canvas = new OffscreenCanvas(width, height);
-      canvas.getContext('2d')?.putImageData(new ImageData(pixelsOf(this.preview, table()), width, height), 0, 0);
+      canvas.getContext('2d')?.putImageData(new ImageData(paint(), width, height), 0, 0);
       this.images.set(key, canvas);
     }
     context.drawImage(canvas, 0, 0, 1, 1);

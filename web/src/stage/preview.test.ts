@@ -2,7 +2,7 @@ import { expect, test, vi } from 'vitest';
 
 // The flags are all that is wanted of the engine here.
 vi.mock('tessera-wasm', () => ({ kZone: 0x3f, kCellBorder: 0x80, kZoneBorder: 0x40 }));
-const { borderTable, cellTable, pixelsOf } = await import('./preview');
+const { borderTable, cellTable, pixelsOf, stampSites } = await import('./preview');
 
 const palette = new Uint8Array([0, 0, 0, 200, 100, 50]);
 
@@ -18,4 +18,13 @@ test('cells take the colour of their zone, borders lean towards the joint', () =
 test('a border table is clear elsewhere', () => {
   const pixels = pixelsOf({ cells: new Uint8Array([1, 1 | 0x80, 0x40]) }, borderTable(0x40, [1, 2, 3, 4]));
   expect([...pixels]).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4]);
+});
+
+test('sites are dots; those that reach beyond the picture are left out', () => {
+  const sites = new Float32Array([2, 4, 0, 0, 0, 0, 0, 0]);
+  const preview = { width: 4, height: 4, cells: new Uint8Array(16), palette, sites };
+  const pixels = pixelsOf(preview, cellTable(palette, [9, 9, 9, 255]));
+  stampSites(pixels, preview, 0.5, [1, 2, 3, 255]);
+  const dots = [...new Uint32Array(pixels.buffer)].map((word) => (word === 0xff030201 ? 1 : 0));
+  expect(dots).toEqual([0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]);
 });

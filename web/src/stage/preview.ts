@@ -7,6 +7,8 @@ export type Rgba = readonly [number, number, number, number];
 /** Colours as the little-endian words of ImageData; every machine that runs a browser today is little-endian. */
 const wordOf = ([r, g, b, a]: Rgba) => ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
 
+const kRoomy = 100; // px a cell
+
 const mix = (from: number, to: number, part: number) => Math.round(from + (to - from) * part);
 
 /** Cells in the colour of their zone, with joints between them. */
@@ -25,6 +27,22 @@ export function borderTable(flag: typeof kCellBorder | typeof kZoneBorder, ink: 
 }
 
 const tableOf = (colour: (value: number) => Rgba) => Uint32Array.from({ length: 256 }, (_, v) => wordOf(colour(v)));
+
+/** A dot at every site: a pixel, or 2 x 2 where the cells have room for it. `step`: preview pixels to one of the coordinates that sites are in. */
+export function stampSites(pixels: Uint8ClampedArray<ArrayBuffer>, preview: Preview, step: number, ink: Rgba): void {
+  const { width, height, sites } = preview;
+  const words = new Uint32Array(pixels.buffer);
+  const word = wordOf(ink);
+  const large = (4 * width * height) / Math.max(1, sites.length) > kRoomy;
+  for (let i = 0; i + 3 < sites.length; i += 4) {
+    const x = Math.round(sites[i]! * step) - 1;
+    const y = Math.round(sites[i + 1]! * step) - 1;
+    if (x < 0 || y < 0 || x + 1 >= width || y + 1 >= height) continue;
+    const at = y * width + x;
+    words[at] = word;
+    if (large) words[at + 1] = words[at + width] = words[at + width + 1] = word;
+  }
+}
 
 export function pixelsOf(preview: Pick<Preview, 'cells'>, table: Uint32Array): Uint8ClampedArray<ArrayBuffer> {
   const { cells } = preview;

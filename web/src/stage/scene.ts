@@ -29,7 +29,8 @@ export class Scene {
     if (message.type === 'source') return this.takeSource(message);
     if (message.id <= this.dropped) return;
     if (message.type === 'preview') {
-      this.live = { id: message.id, diagram: new Diagram(message.preview, message.scale) };
+      const diagram = new Diagram(message.preview, message.scale, this.source?.width ?? 1);
+      this.live = { id: message.id, diagram };
       return;
     }
     const drawing = new StoneDrawing(message.pieces, message.ground, message.scale);
@@ -94,8 +95,7 @@ export class Scene {
 
   private drawBase(context: Context, look: Look, now: number): boolean {
     if (this.live) {
-      this.overPicture(context, () => this.live?.diagram.cells(context));
-      this.live.diagram.sites(context, this.view, this.stage, this.ratio, look.accent);
+      this.overPicture(context, () => this.live?.diagram.live(context, rgbaOf(look.accent)));
       return false;
     }
     const bare = !this.stones;

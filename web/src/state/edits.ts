@@ -6,17 +6,21 @@ import { push, redo as redone, undo as undone } from './history';
 import { runSoon } from './runner';
 import { edits, problems } from './store';
 
-const kOneDrag = 900; // ms between steps of a slider that are undone together
-let last = { key: '', at: 0 };
+/** The control that is being moved or typed into: all it does until it is let go is undone together. */
+let moving = '';
 
 function change(key: string, next: { params: Params; seed: number }): boolean {
   const { present } = edits.value;
   if (next.seed === present.seed && sameParams(next.params, present.params)) return false;
-  const now = performance.now();
-  edits.value = push(edits.value, next, key === last.key && now - last.at < kOneDrag);
-  last = { key, at: now };
+  edits.value = push(edits.value, next, key !== '' && key === moving);
+  moving = key;
   return true;
 }
+
+/** A slider was let go, a field left: what follows is a step of its own. */
+export const endStep = () => {
+  moving = '';
+};
 
 export function changeValue(field: Field, value: ParameterValue): void {
   const { params, seed } = edits.value.present;
@@ -43,6 +47,6 @@ function step(next: typeof edits.value): void {
   if (next === edits.value) return;
   edits.value = next;
   problems.value = {};
-  last = { key: '', at: 0 };
+  endStep();
   runSoon();
 }

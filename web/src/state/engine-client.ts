@@ -2,7 +2,7 @@
 
 import type { Job, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
-import type { EngineInfo, FromEngine, RunRequest, ToEngine, ToPainter } from '../worker/protocol';
+import type { EngineInfo, FromEngine, Graphics, RunRequest, ToEngine, ToPainter } from '../worker/protocol';
 
 // ms that a run may take to stop. The page shows it as cancelled at once; a fresh engine would take longer than this.
 const kPatience = 300;
@@ -28,6 +28,7 @@ export class EngineClient {
   private stopFlag: Int32Array | null = null;
   private ready!: Promise<EngineInfo>;
   private threads = globalThis.crossOriginIsolated ? Math.min(navigator.hardwareConcurrency || 1, kMaxThreads) : 1;
+  private graphics: Graphics | null = null;
   private nextId = 1;
   private last = 0; // run
   private stopping: Promise<void> | null = null;
@@ -49,12 +50,14 @@ export class EngineClient {
     this.worker = new EngineWorker({ name: 'engine' });
     this.stopFlag = null;
     this.painter.postMessage({ type: 'engine', port: port2 }, [port2]);
-    this.send({ type: 'boot', base: document.baseURI, threads: this.threads, painter: port1 }, [port1]);
+    const { threads, graphics } = this;
+    this.send({ type: 'boot', base: document.baseURI, threads, graphics, painter: port1 }, [port1]);
     this.ready = new Promise((resolve) => {
       const { worker } = this;
       worker.onmessage = ({ data }: MessageEvent<FromEngine>) => {
         if (data.type === 'ready') {
           this.stopFlag = data.stopFlag;
+          this.graphics = data.info.gl;
           this.onReady(data.info);
           resolve(data.info);
         } else if (data.type === 'broken') {

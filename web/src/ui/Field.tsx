@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { CircleHelp } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import type { ParameterValue } from 'tessera-wasm';
-import { changeValue } from '../state/edits';
+import { changeValue, endStep } from '../state/edits';
 import { valueOf, type ChoiceField, type Field as FieldModel, type NumberField } from '../state/form';
 import { params, problems } from '../state/store';
 
@@ -53,6 +53,7 @@ export function Field({ field }: { field: FieldModel }) {
           type="text"
           value={String(value)}
           onInput={(event) => changeValue(field, event.currentTarget.value)}
+          onChange={endStep}
           {...ties}
         />
       )}
@@ -81,7 +82,10 @@ function ResetDot({ field }: { field: FieldModel }) {
       class="reset"
       aria-label={`Reset ${field.title.toLowerCase()}`}
       title={`Back to ${String(field.fallback)}`}
-      onClick={() => changeValue(field, field.fallback)}
+      onClick={() => {
+        changeValue(field, field.fallback);
+        endStep();
+      }}
     />
   );
 }
@@ -128,6 +132,7 @@ function NumberControl({ field, value, ties }: ControlProps<NumberField>) {
         style={{ '--filled': `${filled * 100}%` }}
         aria-labelledby={`${id}-label`}
         onInput={(event) => change(event.currentTarget.value)}
+        onChange={endStep}
         {...ties}
       />
       <span class="number-box">
@@ -140,6 +145,7 @@ function NumberControl({ field, value, ties }: ControlProps<NumberField>) {
           step={field.whole ? 1 : field.step}
           value={Number(value)}
           onInput={(event) => change(event.currentTarget.value)}
+          onChange={endStep}
           {...ties}
         />
         {field.unit && <span class="unit">{field.unit}</span>}

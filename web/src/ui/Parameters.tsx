@@ -1,5 +1,5 @@
 import { Dices } from 'lucide-preact';
-import { changeSeed, choosePreset } from '../state/edits';
+import { changeSeed, choosePreset, endStep } from '../state/edits';
 import { sameParams } from '../state/form';
 import { seedOf } from '../state/hash';
 import { backend, engine, entry, fields, params, seed } from '../state/store';
@@ -84,13 +84,17 @@ function SeedField() {
             const typed = seedOf(event.currentTarget.value);
             if (typed !== null) changeSeed(typed);
           }}
+          onChange={endStep}
         />
         <button
           type="button"
           class="button"
           title="Another seed"
           aria-label="Roll the dice for another seed"
-          onClick={() => changeSeed(1 + Math.floor(Math.random() * 999_999))}
+          onClick={() => {
+            changeSeed(1 + Math.floor(Math.random() * 999_999));
+            endStep();
+          }}
         >
           <Dices size={18} aria-hidden />
         </button>

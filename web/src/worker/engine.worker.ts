@@ -3,12 +3,13 @@
 import { createTessera, TesseraError, type Iteration, type Picture, type Problem, type Tessera } from 'tessera-wasm';
 import { bitmapOf, decode, PictureError, scaled } from './decode';
 import { parsePieces, transferable } from './pieces';
-import type { EngineToPainter, FromEngine, RunRequest, ToEngine } from './protocol';
+import type { EngineToPainter, FromEngine, Graphics, RunRequest, ToEngine } from './protocol';
 import { scope } from './scope';
 
 const kPreviewPixels = 600_000;
 const kPreviewSites = 16_000;
 const kPreviewPause = 33; // ms
+const kPreviewShare = 8; // of the time, at most one in so many parts goes into previews
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
 let engine: Tessera | undefined;
@@ -26,11 +27,18 @@ const problemsOf = (error: unknown): readonly Problem[] =>
     ? error.problems
     : [{ code: 'internal', field: '', message: error instanceof Error ? error.message : String(error) }];
 
-async function boot({ base, threads, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
+/** A context that nobody will use is not worth its price: making one holds up the page. */
+let canvasOffered = false;
+function offerCanvas(tessera: Tessera): Graphics {
+  canvasOffered = true;
+  return tessera.useCanvas(new OffscreenCanvas(1, 1));
+}
+
+async function boot({ base, threads, graphics, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
   painter = port;
   try {
     engine = await createTessera({ threads, locateFile: (name) => new URL(`engine/${name}`, base).href });
-    const gl = engine.useCanvas(new OffscreenCanvas(1, 1));
+    const gl = graphics && (!graphics.works || graphics.software) ? graphics : offerCanvas(engine);
     const { version, schema, techniques, stopFlag } = engine;
     tell({ type: 'ready', info: { version, threads: engine.threads, schema, techniques, gl }, stopFlag });
   } catch (error) {
@@ -65,6 +73,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
   if (!engine) return;
   newest = id;
   try {
+    if (request.backend === 'gl' && !canvasOffered) offerCanvas(engine);
     await setInputs(engine, request.scale);
     if (newest !== id) return;
     const begin = performance.now();
@@ -87,17 +96,20 @@ async function run(id: number, request: RunRequest): Promise<void> {
   }
 }
 
-/** About thirty previews a second, and always the last one, which stays to be looked at. */
+/** About thirty previews a second, fewer where they cost much, and always the last one, which stays to be looked at. */
 function previewer(id: number, scale: number): (iteration: Iteration) => void {
   let shown = -Infinity;
+  let cost = 0;
   return (iteration) => {
     const { index, last } = iteration;
-    if (index < last && performance.now() - shown < kPreviewPause) return;
+    const begin = performance.now();
+    if (index < last && begin - shown < Math.max(kPreviewPause, kPreviewShare * cost)) return;
     const preview = iteration.draw(kPreviewPixels, kPreviewSites);
     const { cells, palette, sites } = preview;
     show({ type: 'preview', id, preview, scale }, [cells.buffer, palette.buffer, sites.buffer] as ArrayBuffer[]);
     tell({ type: 'iteration', id, index, last });
     shown = performance.now();
+    cost = shown - begin;
   };
 }
 

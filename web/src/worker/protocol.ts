@@ -6,12 +6,18 @@ import type { Pieces } from './pieces';
 
 export type Backend = 'auto' | 'cpu' | 'gl';
 
+export interface Graphics {
+  works: boolean;
+  software: boolean;
+  renderer: string;
+}
+
 export interface EngineInfo {
   version: string;
   threads: number;
   schema: JobSchema;
   techniques: Technique[];
-  gl: { works: boolean; software: boolean; renderer: string };
+  gl: Graphics;
 }
 
 export interface RunRequest {
@@ -24,7 +30,8 @@ export interface RunRequest {
 }
 
 export type ToEngine =
-  | { type: 'boot'; base: string; threads: number; painter: MessagePort }
+  /** `graphics`: what an earlier engine of this page found, so as not to look again. */
+  | { type: 'boot'; base: string; threads: number; graphics: Graphics | null; painter: MessagePort }
   | { type: 'picture'; id: number; role: string; name: string; blob: Blob }
   | { type: 'run'; id: number; request: RunRequest }
   | { type: 'read'; id: number; text: string };
