@@ -25,8 +25,8 @@ class Lloyd {
   Lloyd(const Fields& fields, const Params& params, std::uint64_t seed)
       : fields_(fields),
         params_(params),
-        noise_(fields.distance, 3 * fields.half_side, 2 * fields.half_side,
-               2 * fields.half_side * params.noise_scale, seed) {}
+        noise_(fields.distance, 3 * fields.half_side, 2 * fields.half_side, 2 * fields.half_side * params.noise_scale,
+               seed) {}
 
   // Turns a site, and near an edge moves it to lie in the row of stones along that edge.
   void settle(Site& site) const {

@@ -11,9 +11,9 @@ namespace tessera::pavement {
 
 struct Diagram {
   Sites sites;
-  LabelMap labels;               // connected cells, none within another
-  CellGraph graph;               // their boundaries
-  int cells = 0;                 // the first sites.size() of them belong to the sites; a site may have lost its own
+  LabelMap labels;  // connected cells, none within another
+  CellGraph graph;  // their boundaries
+  int cells = 0;    // the first sites.size() of them belong to the sites; a site may have lost its own
   std::vector<std::uint8_t> cell_zone;
   int reseeded = 0;
 };

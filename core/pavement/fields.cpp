@@ -34,8 +34,8 @@ int choose_supersample(const Zones& zones, const Params& params) {
   return thin > kThinShare * static_cast<double>(zones.map.total()) ? 2 : 1;
 }
 
-// The drawing with `scale` pixels a pixel, and its zones. Smoothing would widen or narrow hairlines, so black keeps its
-// share of the picture instead of the threshold its level.
+// The drawing with `scale` pixels a pixel, and its zones. Smoothing would widen or narrow hairlines, so black keeps
+// its share of the picture instead of the threshold its level.
 Zones supersampled_zones(const cv::Mat3b& drawing, const Zones& zones, int scale, const Params& params) {
   cv::Mat3b scaled;
   cv::GaussianBlur(drawing, scaled, {5, 5}, 0.8, 0.8, cv::BORDER_REPLICATE);
@@ -77,7 +77,8 @@ void NoiseDirection::balance(const DistanceField& distance, double far) {
         if (x >= distance.cols || y >= distance.rows || distance(y, x) < far) continue;
         ++count;
         // Stones at the picture's border line up with it whatever the noise says.
-        if (i == 0 || j == 0 || x + spacing_ >= distance.cols || y + spacing_ >= distance.rows) sum += cv::Vec2d(1, 0);
+        if (i == 0 || j == 0 || x + spacing_ >= distance.cols || y + spacing_ >= distance.rows)
+          sum += cv::Vec2d(1, 0);
         const cv::Vec2d v = grid_(j, i);
         const double size = std::sqrt(v.dot(v));
         if (size > 0) sum += v * (1 / size);
@@ -90,10 +91,12 @@ void NoiseDirection::balance(const DistanceField& distance, double far) {
 }
 
 double NoiseDirection::angle(double x, double y) const {
-  const double u = std::clamp(x / spacing_, 0.0, grid_.cols - 1.001), v = std::clamp(y / spacing_, 0.0, grid_.rows - 1.001);
+  const double u = std::clamp(x / spacing_, 0.0, grid_.cols - 1.001),
+               v = std::clamp(y / spacing_, 0.0, grid_.rows - 1.001);
   const int i = static_cast<int>(u), j = static_cast<int>(v);
   const float s = static_cast<float>(u - i), t = static_cast<float>(v - j);
-  const cv::Vec2f a = grid_(j, i) * (1 - s) + grid_(j, i + 1) * s, b = grid_(j + 1, i) * (1 - s) + grid_(j + 1, i + 1) * s;
+  const cv::Vec2f a = grid_(j, i) * (1 - s) + grid_(j, i + 1) * s,
+                  b = grid_(j + 1, i) * (1 - s) + grid_(j + 1, i + 1) * s;
   const cv::Vec2f n = a * (1 - t) + b * t;
   return atan2_portable(n[1], n[0]) / 4;
 }
@@ -108,11 +111,13 @@ Point Fields::inside(double x, double y) const {
 }
 
 double Fields::distance_near(double x, double y) const {
-  return distance(std::clamp(static_cast<int>(y), 0, distance.rows - 1), std::clamp(static_cast<int>(x), 0, distance.cols - 1));
+  return distance(std::clamp(static_cast<int>(y), 0, distance.rows - 1),
+                  std::clamp(static_cast<int>(x), 0, distance.cols - 1));
 }
 
 void Fields::prefetch(double x, double y) const {
-  const int i = std::clamp(static_cast<int>(x), 0, distance.cols - 1), j = std::clamp(static_cast<int>(y), 0, distance.rows - 1);
+  const int i = std::clamp(static_cast<int>(x), 0, distance.cols - 1),
+            j = std::clamp(static_cast<int>(y), 0, distance.rows - 1);
   __builtin_prefetch(&distance(j, i));
   __builtin_prefetch(&zones.map(j, i));
 }
@@ -146,8 +151,8 @@ Fields make_fields(const ImageView& drawing, const Params& params) {
   if (scale > 1) fields.zones = supersampled_zones(drawing.mat(), fields.zones, scale, params);
   fields.scale = scale;
   fields.half_side = params.half_side * scale;
-  fields.distance = params.distance == Distance::kExact ? exact_distance(fields.zones.map)
-                                                        : chamfer_distance(fields.zones.map);
+  fields.distance =
+      params.distance == Distance::kExact ? exact_distance(fields.zones.map) : chamfer_distance(fields.zones.map);
   return fields;
 }
 

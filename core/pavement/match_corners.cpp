@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/core/utility.hpp>
 #include <functional>
+#include <opencv2/core/utility.hpp>
 #include <queue>
 
 namespace tessera::pavement {
 namespace {
 
-// What a curved frontier may deviate under one stone's straight side, in h: where the stone falls short of it there is
-// wider grout, where it goes beyond it covers the other colour.
+// What a curved frontier may deviate under one stone's straight side, in h: where the stone falls short of it there
+// is wider grout, where it goes beyond it covers the other colour.
 constexpr double kFrontierShort = 0.2, kFrontierBeyond = 0.12;
-constexpr double kSquareness = 0.25;    // weight of right angles against distances moved (in h, squared)
-constexpr double kTooFar = 1.2;         // largest rise of a stone's badness that one flat angle may cost
-constexpr double kChange = 0.01;        // least cost of a link in a chain of changes
-constexpr int kSearchLimit = 300;       // links an augmenting search may look at
-constexpr int kLargestCell = 24;        // vertices of a cell; larger ones stay as they are
+constexpr double kSquareness = 0.25;  // weight of right angles against distances moved (in h, squared)
+constexpr double kTooFar = 1.2;       // largest rise of a stone's badness that one flat angle may cost
+constexpr double kChange = 0.01;      // least cost of a link in a chain of changes
+constexpr int kSearchLimit = 300;     // links an augmenting search may look at
+constexpr int kLargestCell = 24;      // vertices of a cell; larger ones stay as they are
 
 // A flat angle that may be: at `vertex`, for `cell`.
 struct Candidate {
@@ -38,7 +38,8 @@ class Matcher {
   std::vector<char> run() {
     cheapest_first();
     for (int cell = 0; cell < map_.cells(); ++cell)
-      while (spare_[cell] > 0 && augment(cell)) {}
+      while (spare_[cell] > 0 && augment(cell)) {
+      }
     return std::move(flat_);
   }
 
@@ -73,7 +74,8 @@ class Matcher {
 
   // On a frontier the stone that is alone in its zone has its straight side there: no choice, unless it bends.
   void flatten_on_frontier(const Candidate& c) {
-    const Point p = map_.at(c.slot), a = map_.at(map_.previous(c.cell, c.slot)), b = map_.at(map_.next(c.cell, c.slot));
+    const Point p = map_.at(c.slot), a = map_.at(map_.previous(c.cell, c.slot)),
+                b = map_.at(map_.next(c.cell, c.slot));
     const double size = length(b - a);
     if (spare_[c.cell] == 0 || size == 0) return;
     const double hollow = cross(b - a, p - a) / (size * h_);
@@ -119,7 +121,8 @@ class Matcher {
     --spare_[c.cell];
   }
 
-  // The flat angle that improves its stone most, or harms it least, among all stones; then that stone is looked at anew.
+  // The flat angle that improves its stone most, or harms it least, among all stones; then that stone is looked at
+  // anew.
   void cheapest_first() {
     cost_.resize(map_.ring.size());
     cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
@@ -171,8 +174,8 @@ class Matcher {
     int gained, lost, before;
   };
 
-  // Cheapest chain by which `start` gets one more flat angle: it takes one from a stone, which takes one from another,
-  // until a vertex that was no stone's. Returns whether there was one.
+  // Cheapest chain by which `start` gets one more flat angle: it takes one from a stone, which takes one from
+  // another, until a vertex that was no stone's. Returns whether there was one.
   bool augment(int start) {
     links_.clear();
     open_.clear();
@@ -237,7 +240,7 @@ class Matcher {
   std::vector<Link> links_;
   std::vector<std::pair<double, int>> open_;
   std::vector<int> lost_;
-  std::vector<double> cost_;               // of a candidate, while its cell's flat angles stay as they are
+  std::vector<double> cost_;  // of a candidate, while its cell's flat angles stay as they are
 };
 
 }  // namespace

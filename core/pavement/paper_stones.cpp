@@ -9,8 +9,8 @@
 namespace tessera::pavement {
 namespace {
 
-// Vertices at the pixel corners where 3 or 4 labels meet (2 along the border), given to each of their cells; each cell's
-// then sorted by their angle around their mean.
+// Vertices at the pixel corners where 3 or 4 labels meet (2 along the border), given to each of their cells; each
+// cell's then sorted by their angle around their mean.
 PlanarMap extract(const Diagram& diagram) {
   PlanarMap map;
   std::vector<std::vector<int>> rings(diagram.cells);

@@ -3,16 +3,16 @@
 
 #include <vector>
 
+#include "tessera/geometry/polygon.h"
 #include "tessera/pavement/diagram.h"
 #include "tessera/pavement/fields.h"
 #include "tessera/pavement/params.h"
-#include "tessera/geometry/polygon.h"
 
 namespace tessera::pavement {
 
 struct PaperStones {
-  std::vector<Ring> rings;            // one a cell, pixels of the diagram
-  std::vector<int> vertices_before;   // of each cell, before wide angles went
+  std::vector<Ring> rings;           // one a cell, pixels of the diagram
+  std::vector<int> vertices_before;  // of each cell, before wide angles went
 };
 
 PaperStones paper_stones(const Diagram& diagram, const Fields& fields, const Params& params);

@@ -26,6 +26,7 @@ struct Params {
   Method method = Method::kFlow;
 };
 
+// clang-format off: a parameter is read as a line or two, not as a column
 template <class Visitor>
 void visit(Visitor& v, Params& p) {
   v.number(p.half_side, {.key = "halfSide", .min = 1, .max = 512, .ui_min = 2, .ui_max = 24, .unit = "px",
@@ -65,6 +66,7 @@ void visit(Visitor& v, Params& p) {
            {{Method::kFlow, "flow", "sub-pixel junctions, four corners a stone by matching"},
             {Method::kPaper, "paper", "the paper's steps to the letter"}});
 }
+// clang-format on
 
 // Cross-field checks, after each field is within its own range: report(key, message).
 template <class Report>

@@ -26,7 +26,8 @@ struct Meeting {
   Meeting(const Junction& junction, const std::vector<std::uint8_t>& cell_zone) {
     for (const int label : junction.labels) {
       if (label == kOutside) at_border = true;
-      if (label == kOutside || std::find(cells.begin(), cells.begin() + count, label) != cells.begin() + count) continue;
+      if (label == kOutside || std::find(cells.begin(), cells.begin() + count, label) != cells.begin() + count)
+        continue;
       cells[count++] = label;
       const int zone = cell_zone[label];
       if (zone == zones[0] || zone == zones[1]) continue;
@@ -47,7 +48,8 @@ class Placer {
   void place(const Junction& junction, Point& p, Freedom& freedom, Point& normal,
              std::array<std::uint8_t, 2>& between) const {
     const Meeting meeting(junction, diagram_.cell_zone);
-    for (int k = 0; k < std::min(2, meeting.zone_count); ++k) between[k] = static_cast<std::uint8_t>(meeting.zones[k]);
+    for (int k = 0; k < std::min(2, meeting.zone_count); ++k)
+      between[k] = static_cast<std::uint8_t>(meeting.zones[k]);
     p = {static_cast<double>(junction.x), static_cast<double>(junction.y)};
     normal = {0, 0};
     if (meeting.at_border) {
@@ -137,7 +139,8 @@ class Placer {
       balance_along(meeting, along, p);
     } else if (meeting.zone_count == 2) {
       const Point q = p;
-      if (to_frontier(fields_.zones, meeting.zones[0], meeting.zones[1], kLimit, p)) p = q + dot(p - q, along) * along;
+      if (to_frontier(fields_.zones, meeting.zones[0], meeting.zones[1], kLimit, p))
+        p = q + dot(p - q, along) * along;
     }
   }
 

@@ -10,11 +10,11 @@ namespace tessera::pavement {
 namespace {
 
 constexpr int kRounds = 30;
-constexpr double kSlide = 0.35;   // of h: how far a vertex slides along a frontier
+constexpr double kSlide = 0.35;     // of h: how far a vertex slides along a frontier
 constexpr double kStraight = 0.15;  // of h: how far a flat vertex may be from its stone's side
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
 constexpr double kBand = 1024;      // px: height of the bands that are relaxed side by side
-constexpr double kMargin = 0.15;  // of the line between its neighbours: how near a vertex comes to either
+constexpr double kMargin = 0.15;    // of the line between its neighbours: how near a vertex comes to either
 
 class Relaxer {
  public:
@@ -26,8 +26,8 @@ class Relaxer {
     list_corners();
   }
 
-  // One round moves corner after corner, each from where the last one left its neighbours. Bands of the picture have no
-  // vertex in common, so they go side by side; what lies across their borders goes last.
+  // One round moves corner after corner, each from where the last one left its neighbours. Bands of the picture have
+  // no vertex in common, so they go side by side; what lies across their borders goes last.
   //
   // `pull`: how strongly vertices are drawn back to where they began.
   void round(double pull) {
@@ -92,7 +92,8 @@ class Relaxer {
   }
 
  private:
-  // A vertex that is not on its stone's side after all is a corner of the stone: left out, its neighbours would overlap.
+  // A vertex that is not on its stone's side after all is a corner of the stone: left out, its neighbours would
+  // overlap.
   void keep_straight(int cell, std::vector<char>& flat) const {
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
       if (!flat[slot] || t_.freedom[map_.ring[slot]] != Freedom::kFree) continue;
@@ -146,7 +147,8 @@ class Relaxer {
     if (length(way) > farthest) node.p = node.begin + (farthest / length(way)) * way;
   }
 
-  // A free vertex between its neighbours in a stone's outline. On a frontier the drawing rules, not the straight line.
+  // A free vertex between its neighbours in a stone's outline. On a frontier the drawing rules, not the straight
+  // line.
   struct Corner {
     int vertex, before, after;
     bool flat;

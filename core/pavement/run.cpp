@@ -68,7 +68,8 @@ Result<Output> run(const ImageView& drawing, const Params& requested, std::uint6
 
   context.stage("diagram");
   Output output;
-  output.sites = static_cast<int>(std::lround(drawing.width * (drawing.height / (4 * params.half_side * params.half_side))));  // Eq. 1
+  output.sites = static_cast<int>(
+      std::lround(drawing.width * (drawing.height / (4 * params.half_side * params.half_side))));  // Eq. 1
   Result<Diagram> diagram =
       relax_diagram(first_sites(fields, params, seed), fields, params, seed, rasterizer, context, observer);
   if (!diagram) return tl::unexpected(diagram.error());

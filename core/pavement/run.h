@@ -13,12 +13,12 @@
 namespace tessera::pavement {
 
 struct Output {
-  PieceSheet sheet;                      // in source pixels; ids from 1
-  int sites = 0;                         // n of Eq. 1, before hairlines were given more
-  int reseeded = 0;                      // empty cells that were seeded again
-  std::vector<int> vertices_before;      // Fig. 9: vertices a cell right after tracing, in sheet order
-  std::vector<int> vertices_after;       // Fig. 9: vertices a stone
-  std::vector<double> areas;             // Fig. 12: stone areas, px^2
+  PieceSheet sheet;                  // in source pixels; ids from 1
+  int sites = 0;                     // n of Eq. 1, before hairlines were given more
+  int reseeded = 0;                  // empty cells that were seeded again
+  std::vector<int> vertices_before;  // Fig. 9: vertices a cell right after tracing, in sheet order
+  std::vector<int> vertices_after;   // Fig. 9: vertices a stone
+  std::vector<double> areas;         // Fig. 12: stone areas, px^2
 };
 
 // `drawing` is read during the call only. Fails with kInvalidInput for a picture without pixels or one too small to

@@ -73,8 +73,8 @@ Sites first_sites(const Fields& fields, const Params& params, std::uint64_t seed
       }
     }
   };
-  // Blocks of some stones' size, so that no part of the picture gets too few; within a block at random, so that no rows
-  // of blocks show. What is left of a block's last stone goes to the next in a serpentine.
+  // Blocks of some stones' size, so that no part of the picture gets too few; within a block at random, so that no
+  // rows of blocks show. What is left of a block's last stone goes to the next in a serpentine.
   const int block = std::max(1, static_cast<int>(std::lround(kBlockSide * 2 * h)));
   const std::vector<cv::Point> order = shuffled_pixels(block, positions);
   for (int by = 0, row = 0; by < zones.rows; by += block, ++row) {

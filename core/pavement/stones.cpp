@@ -115,7 +115,8 @@ Ring first_outline(Ring corners, Ring whole, double half_side) {
   return unfolded(std::move(whole));
 }
 
-Ring separate_stone(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg, double half_side) {
+Ring separate_stone(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg,
+                    double half_side) {
   Ring corners, whole;
   for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
     whole.push_back(t.map.at(slot));

@@ -9,8 +9,8 @@
 
 namespace tessera::pavement {
 
-// `half_side` in pixels of the diagram, as the tessellation. Vertices where a stone is flat are left out, wide corners and
-// tiny sides too as long as four corners remain. Rings may be empty where nothing of a cell is left.
+// `half_side` in pixels of the diagram, as the tessellation. Vertices where a stone is flat are left out, wide
+// corners and tiny sides too as long as four corners remain. Rings may be empty where nothing of a cell is left.
 std::vector<Ring> separate_stones(const Tessellation& t, const std::vector<char>& flat, const Params& params,
                                   double half_side);
 

@@ -48,7 +48,8 @@ void add_row(const std::int32_t* row, int columns, int y, CellMoments* moments) 
   };
   int x = 0;
   for (; x + kStep < columns; x += kStep)
-    for (std::uint64_t rest = ends_of_runs(row + x); rest != 0; rest &= rest - 1) end_run(x + __builtin_ctzll(rest) + 1);
+    for (std::uint64_t rest = ends_of_runs(row + x); rest != 0; rest &= rest - 1)
+      end_run(x + __builtin_ctzll(rest) + 1);
   for (; x + 1 < columns; ++x)
     if (row[x] != row[x + 1]) end_run(x + 1);
   end_run(columns);

@@ -12,12 +12,12 @@ namespace tessera {
 
 // The diagram after a labelling, valid during the observer's call only.
 struct Iteration {
-  int index;                           // 0 is the diagram of the first sites
-  int last;                            // the index of the final diagram
-  double scale;                        // diagram pixels a source pixel
+  int index;     // 0 is the diagram of the first sites
+  int last;      // the index of the final diagram
+  double scale;  // diagram pixels a source pixel
   const Sites& sites;
   const LabelMap& labels;
-  const std::vector<Rgb>& palette;     // colour of each zone
+  const std::vector<Rgb>& palette;  // colour of each zone
 };
 
 using IterationObserver = std::function<void(const Iteration& iteration)>;

@@ -17,7 +17,9 @@ int pixel_step(const cv::Size& size, int max_pixels) {
 
 cv::Mat1b draw_cells(const Iteration& iteration, int step) {
   const LabelMap& labels = iteration.labels;
-  const auto zone_of = [&](int label) { return label == kUnlabelled ? 0 : iteration.sites[label].zone & kPreviewZone; };
+  const auto zone_of = [&](int label) {
+    return label == kUnlabelled ? 0 : iteration.sites[label].zone & kPreviewZone;
+  };
   cv::Mat1b cells(sampled(labels.rows, step), sampled(labels.cols, step));
   for (int j = 0; j < cells.rows; ++j) {
     const int* row = labels[j * step];

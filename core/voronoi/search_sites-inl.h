@@ -84,7 +84,8 @@ class Search {
  private:
   // Whether pixels of the block at (x, y) are unlabelled.
   bool has_unlabelled(int x, int y) const {
-    const int right = std::min(x0_ + x + kBlockWidth, arg_.width), bottom = std::min(y0_ + y + kBlockHeight, arg_.height);
+    const int right = std::min(x0_ + x + kBlockWidth, arg_.width),
+              bottom = std::min(y0_ + y + kBlockHeight, arg_.height);
     for (int j = y0_ + y; j < bottom; ++j) {
       const std::int32_t* row = arg_.labels + j * arg_.labels_stride;
       for (int i = x0_ + x; i < right; ++i)

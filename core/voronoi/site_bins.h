@@ -21,8 +21,8 @@ struct SiteBins {
   std::vector<float> box_x, box_y;  // half sides of the upright box around a cap, px
   std::vector<std::int32_t> zone, id;
   std::vector<int> place;  // of each site in these arrays
-  float box_max = 0;     // largest of box_x, box_y
-  float extent_max = 0;  // largest distance from a site to the border of its cap
+  float box_max = 0;       // largest of box_x, box_y
+  float extent_max = 0;    // largest distance from a site to the border of its cap
 
   void build(const Sites& sites, int width, int height);
   int bin_of(double position, int count) const;

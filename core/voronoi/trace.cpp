@@ -22,7 +22,8 @@ inline std::array<int, 4> around(const LabelMap& labels, int x, int y) {
     const int *upper = labels[y - 1] + x, *lower = labels[y] + x;
     return {upper[-1], upper[0], lower[0], lower[-1]};
   }
-  return {label_at(labels, x - 1, y - 1), label_at(labels, x, y - 1), label_at(labels, x, y), label_at(labels, x - 1, y)};
+  return {label_at(labels, x - 1, y - 1), label_at(labels, x, y - 1), label_at(labels, x, y),
+          label_at(labels, x - 1, y)};
 }
 
 // The pair of labels (left, right) beside the pixel side that leaves a corner in a direction.
@@ -63,8 +64,8 @@ struct Junctions {
 
   int at(int x, int y) const {
     const auto begin = all.begin() + row_first[y], end = all.begin() + row_first[y + 1];
-    return static_cast<int>(std::lower_bound(begin, end, x, [](const Junction& j, int column) { return j.x < column; }) -
-                            all.begin());
+    return static_cast<int>(
+        std::lower_bound(begin, end, x, [](const Junction& j, int column) { return j.x < column; }) - all.begin());
   }
 };
 
@@ -240,8 +241,8 @@ std::vector<Enclosure> find_enclosures(const CellGraph& graph, const LabelMap& l
 
 namespace {
 
-// For each cell the enclosed point to cut through, as an index or -1: the median along the cut's axis, so that the number
-// of enclosed cells halves with each round.
+// For each cell the enclosed point to cut through, as an index or -1: the median along the cut's axis, so that the
+// number of enclosed cells halves with each round.
 std::vector<int> choose_cuts(const std::vector<Enclosure>& enclosures, int cells, bool along_x) {
   std::vector<int> order(enclosures.size()), cut(cells, -1);
   std::iota(order.begin(), order.end(), 0);

@@ -23,8 +23,8 @@
 namespace tessera {
 namespace {
 
-// Large buffers come and go at every step of a job. Given back to the system and asked for again each time, in pages of
-// 4 KiB, they cost a quarter of the run.
+// Large buffers come and go at every step of a job. Given back to the system and asked for again each time, in pages
+// of 4 KiB, they cost a quarter of the run.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_MAX, 0);  // large blocks come from the heap, too

@@ -1,5 +1,5 @@
-// What JavaScript sees: functions over texts, numbers and byte arrays. Jobs and answers travel as JSON, bytes are copied,
-// and no C++ object leaves. web/package/src/index.ts wraps these into the interface that programs use.
+// What JavaScript sees: functions over texts, numbers and byte arrays. Jobs and answers travel as JSON, bytes are
+// copied, and no C++ object leaves. web/package/src/index.ts wraps these into the interface that programs use.
 #include <emscripten/bind.h>
 
 #include <opencv2/core/utility.hpp>

@@ -17,7 +17,8 @@ enum class BackendChoice { kAuto, kCpu, kGl };
 
 class Engine {
  public:
-  // Pixels of the role's picture for the caller to fill: RGB, rows from the top. kInvalidInput for a size that cannot be.
+  // Pixels of the role's picture for the caller to fill: RGB, rows from the top. kInvalidInput for a size that cannot
+  // be.
   Result<cv::Mat3b> new_picture(const std::string& role, int width, int height);
   void forget_picture(const std::string& role);
 

@@ -25,7 +25,9 @@ TEST(Preview, MarksZonesAndBorders) {
   for (int y = 0; y < cells.rows; ++y) {
     for (int x = 0; x < cells.cols; ++x) {
       const int zone = x >= 8 && x < 12 ? 1 : 0;
-      const int border = x == 3 ? kPreviewCellBorder : x == 7 || x == 11 ? kPreviewCellBorder | kPreviewZoneBorder : 0;
+      const int border = x == 3              ? kPreviewCellBorder
+                         : x == 7 || x == 11 ? kPreviewCellBorder | kPreviewZoneBorder
+                                             : 0;
       EXPECT_EQ(cells(y, x), zone | border) << x;
     }
   }

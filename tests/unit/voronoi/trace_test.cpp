@@ -64,8 +64,8 @@ std::vector<cv::Point> corners_of(const CellGraph& graph, const LabelMap& labels
   return corners;
 }
 
-// Whether something lies within the cell that is not of it and has no way out. Where a cell touches itself at a corner,
-// there is none.
+// Whether something lies within the cell that is not of it and has no way out. Where a cell touches itself at a
+// corner, there is none.
 bool encloses(const LabelMap& labels, int cell) {
   cv::Mat1b seen(labels.rows + 2, labels.cols + 2, static_cast<unsigned char>(0));
   std::vector<cv::Point> open{{-1, -1}};
