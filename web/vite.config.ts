@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
-import { engineByAddress, engineFiles } from './plugins/engine-files.ts';
+import { engineFiles } from './plugins/engine-files.ts';
 import { offline } from './plugins/offline.ts';
 import { policyOnlyInBuilds } from './plugins/policy.ts';
 
@@ -24,7 +24,7 @@ export default defineConfig({
   plugins: [engineFiles(here('./package/dist/engine')), offline(here('../public')), policyOnlyInBuilds()],
   server: { headers },
   preview: { headers },
-  worker: { format: 'es', plugins: () => [engineByAddress()] },
+  worker: { format: 'es' },
   build: {
     outDir: here('./dist'),
     emptyOutDir: true,

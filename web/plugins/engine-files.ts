@@ -33,15 +33,3 @@ export function engineFiles(dist: string): Plugin {
     },
   };
 }
-
-/** The package looks for these files beside itself where nobody says where they are; here, the page says so. */
-export function engineByAddress(): Plugin {
-  return {
-    name: 'tessera-engine-by-address',
-    enforce: 'pre',
-    transform: (code) =>
-      code.includes('new URL(`./engine/')
-        ? code.replace('new URL(`./engine/', 'new URL(/* @vite-ignore */ `./engine/')
-        : null,
-  };
-}

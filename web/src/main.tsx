@@ -8,7 +8,7 @@ import './style/phone.css';
 import { bindViewport } from './stage/viewport';
 import { bindAddress, openAddress } from './state/address';
 import { bindKeys } from './state/keys';
-import { engine } from './state/store';
+import { engine, graphics } from './state/store';
 import { bindTheme } from './state/theme';
 import { App } from './ui/App';
 import type { Graphics } from './worker/protocol';
@@ -20,7 +20,10 @@ declare global {
   }
 }
 
-window.tessera = { version: __TESSERA_VERSION__, threads: 0, isolated: crossOriginIsolated, gl: null };
+effect(() => {
+  const { version = __TESSERA_VERSION__, threads = 0 } = engine.value ?? {};
+  window.tessera = { version, threads, isolated: crossOriginIsolated, gl: graphics.value };
+});
 
 bindTheme();
 bindViewport();
@@ -33,7 +36,6 @@ let opened = false;
 effect(() => {
   const { value: info } = engine;
   if (!info) return;
-  window.tessera = { version: info.version, threads: info.threads, isolated: crossOriginIsolated, gl: info.gl };
   if (opened) return; // an engine that came up after another was stopped
   opened = true;
   void untracked(openAddress).then(bindAddress);

@@ -68,7 +68,7 @@ async function browserFactory(address: string): Promise<Factory> {
 }
 
 async function beside(name: string): Promise<string> {
-  const address = new URL(`./engine/${name}`, import.meta.url);
+  const address = new URL(/* @vite-ignore */ `./engine/${name}`, import.meta.url);
   if (!inNode) return address.href;
   const { fileURLToPath } = await importAtRunTime('node:url');
   return fileURLToPath(address);

@@ -40,6 +40,7 @@ export class EngineClient {
     private readonly painter: { postMessage(message: ToPainter, transfer?: Transferable[]): void },
     /** Called for each engine that came up, the first and those after a stop by force. */
     private readonly onReady: (info: EngineInfo) => void,
+    private readonly onGraphics: (graphics: Graphics) => void,
     private readonly onBroken: (message: string) => void,
   ) {
     this.start();
@@ -57,9 +58,11 @@ export class EngineClient {
       worker.onmessage = ({ data }: MessageEvent<FromEngine>) => {
         if (data.type === 'ready') {
           this.stopFlag = data.stopFlag;
-          this.graphics = data.info.gl;
           this.onReady(data.info);
           resolve(data.info);
+        } else if (data.type === 'graphics') {
+          this.graphics = data.graphics;
+          this.onGraphics(data.graphics);
         } else if (data.type === 'broken') {
           this.breakDown(data.message);
         } else {

@@ -3,7 +3,7 @@
 import PainterWorker from '../stage/painter.worker?worker';
 import type { FromPainter, ToPainter } from '../worker/protocol';
 import { EngineClient } from './engine-client';
-import { alertWith, engine, piece } from './store';
+import { alertWith, engine, graphics, piece } from './store';
 
 const painterWorker = new PainterWorker({ name: 'painter' });
 painterWorker.onmessage = ({ data }: MessageEvent<FromPainter>) => (piece.value = data.piece);
@@ -15,6 +15,7 @@ export const painter = {
 export const client = new EngineClient(
   painter,
   (info) => (engine.value = info),
+  (found) => (graphics.value = found),
   (message) =>
     alertWith(
       `The engine cannot start: ${message || 'its files did not load'}. It needs WebAssembly with SIMD, which every ` +

@@ -5,7 +5,7 @@ import type { Job, RunResult } from 'tessera-wasm';
 import { pavement } from '../techniques/pavement';
 import { entryOf } from '../techniques/index';
 import type { Size } from '../stage/view';
-import type { Backend, EngineInfo, PieceFacts } from '../worker/protocol';
+import type { Backend, EngineInfo, Graphics, PieceFacts } from '../worker/protocol';
 import { fieldsOf, type Params } from './form';
 import { historyOf, type History } from './history';
 
@@ -45,6 +45,8 @@ export interface Outcome {
 }
 
 export const engine = signal<EngineInfo | null>(null);
+/** What draws where a graphics card is asked for; null until that has been looked for. */
+export const graphics = signal<Graphics | null>(null);
 export const technique = signal(pavement.name);
 export const edits = signal<History<Edits>>(historyOf({ params: {}, seed: 1 }));
 export const picture = signal<PictureInfo | null>(null);

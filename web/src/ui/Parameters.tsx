@@ -2,7 +2,7 @@ import { Dices } from 'lucide-preact';
 import { changeSeed, choosePreset, endStep } from '../state/edits';
 import { sameParams } from '../state/form';
 import { seedOf } from '../state/hash';
-import { backend, engine, entry, fields, params, seed } from '../state/store';
+import { backend, entry, fields, graphics, params, seed } from '../state/store';
 import { generate } from '../state/runner';
 import type { Backend } from '../worker/protocol';
 import { Field, Help } from './Field';
@@ -106,7 +106,7 @@ function SeedField() {
 const kBackends: Record<Backend, string> = { auto: 'Automatic', cpu: 'Processor', gl: 'Graphics card' };
 
 function BackendField() {
-  const gl = engine.value?.gl;
+  const { value: gl } = graphics;
   return (
     <div class="field">
       <div class="field-head">

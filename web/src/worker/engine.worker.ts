@@ -27,20 +27,28 @@ const problemsOf = (error: unknown): readonly Problem[] =>
     ? error.problems
     : [{ code: 'internal', field: '', message: error instanceof Error ? error.message : String(error) }];
 
-/** A context that nobody will use is not worth its price: making one holds up the page. */
+/** What is known of the graphics, and whether this engine has a canvas to draw on. */
+let graphics: Graphics | null = null;
 let canvasOffered = false;
-function offerCanvas(tessera: Tessera): Graphics {
+
+/**
+ * Making a context holds up the page, so that it is made late, and only for an engine that may use it: one on graphics
+ * hardware, or one that is told to.
+ */
+function lookForGraphics(tessera: Tessera, wanted: boolean): void {
+  if (canvasOffered || (graphics && !wanted && (!graphics.works || graphics.software))) return;
   canvasOffered = true;
-  return tessera.useCanvas(new OffscreenCanvas(1, 1));
+  graphics = tessera.useCanvas(new OffscreenCanvas(1, 1));
+  tell({ type: 'graphics', graphics });
 }
 
-async function boot({ base, threads, graphics, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
+async function boot({ base, threads, graphics: known, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
   painter = port;
+  graphics = known;
   try {
     engine = await createTessera({ threads, locateFile: (name) => new URL(`engine/${name}`, base).href });
-    const gl = graphics && (!graphics.works || graphics.software) ? graphics : offerCanvas(engine);
     const { version, schema, techniques, stopFlag } = engine;
-    tell({ type: 'ready', info: { version, threads: engine.threads, schema, techniques, gl }, stopFlag });
+    tell({ type: 'ready', info: { version, threads: engine.threads, schema, techniques }, stopFlag });
   } catch (error) {
     tell({ type: 'broken', message: problemsOf(error)[0]?.message ?? '' });
   }
@@ -73,7 +81,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
   if (!engine) return;
   newest = id;
   try {
-    if (request.backend === 'gl' && !canvasOffered) offerCanvas(engine);
+    if (request.backend === 'gl') lookForGraphics(engine, true);
     await setInputs(engine, request.scale);
     if (newest !== id) return;
     const begin = performance.now();
@@ -91,6 +99,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
     show({ type: 'pieces', id, pieces, ground, scale: request.scale }, transferable(pieces));
     tell({ type: 'done', id, result, milliseconds });
     if (request.scale === 1) await makeFiles(engine, id, request.formats);
+    if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }

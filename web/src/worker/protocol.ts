@@ -17,7 +17,6 @@ export interface EngineInfo {
   threads: number;
   schema: JobSchema;
   techniques: Technique[];
-  gl: Graphics;
 }
 
 export interface RunRequest {
@@ -39,6 +38,7 @@ export type ToEngine =
 export type FromEngine =
   | { type: 'ready'; info: EngineInfo; stopFlag: Int32Array | null }
   | { type: 'broken'; message: string }
+  | { type: 'graphics'; graphics: Graphics }
   | { type: 'picture'; id: number; width: number; height: number }
   | { type: 'refused'; id: number; message: string }
   | { type: 'stage'; id: number; stage: string }
