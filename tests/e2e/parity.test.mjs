@@ -17,8 +17,8 @@ async function runInBrowser(preset) {
   try {
     const page = await browser.newPage();
     await page.goto(`${host.address}/parity.html`);
-    await page.waitForFunction(() => typeof window.status === 'number', null, { timeout: 600_000 });
-    return await page.evaluate(() => ({ status: window.status, lines: window.lines }));
+    await page.waitForFunction(() => window.lines.some((line) => /PASSED|error:/.test(line)), null, { timeout: 400_000 });
+    return await page.evaluate(() => window.lines);
   } finally {
     await browser.close();
     await host.stop();
@@ -27,11 +27,12 @@ async function runInBrowser(preset) {
 
 for (const preset of ['wasm-release', 'wasm-release-single']) {
   test(`gl and cpu agree in ${preset}`, async (t) => {
-    const { status, lines } = await runInBrowser(preset);
-    const output = lines.join('\n');
-    t.diagnostic(lines.at(-1));
-    assert.equal(status, 0, output);
-    assert.match(output, /\[ {2}PASSED {2}\] \d\d+ tests/, output);
+    const output = (await runInBrowser(preset)).join('\n');
+    const ran = /(\d+) tests from \d+ test suites ran/.exec(output)?.[1];
+    const passed = /\[ {2}PASSED {2}\] (\d+) tests/.exec(output)?.[1];
+    t.diagnostic(`${passed} of ${ran}`);
+    assert.ok(Number(ran) > 10, output);
+    assert.equal(passed, ran, output);
     assert.doesNotMatch(output, /SKIPPED|FAILED/, output);
   });
 }

@@ -1,11 +1,5 @@
-// Runs the program in a worker; `lines` grows with what it prints, `status` is set when it ends.
+// Runs the program in a worker; `lines` grows with what it prints.
 window.lines = [];
 const worker = new Worker('parity_worker.js');
-worker.onmessage = ({ data }) => {
-  if ('line' in data) window.lines.push(data.line);
-  else window.status = data.status;
-};
-worker.onerror = (event) => {
-  window.lines.push(event.message);
-  window.status = -1;
-};
+worker.onmessage = ({ data }) => window.lines.push(data);
+worker.onerror = (event) => window.lines.push(`error: ${event.message}`);

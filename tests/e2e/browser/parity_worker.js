@@ -2,8 +2,7 @@ const program = '/bin/tessera_parity_tests.js';
 self.Module = {
   mainScriptUrlOrBlob: program,
   locateFile: (name) => `/bin/${name}`,
-  print: (line) => postMessage({ line }),
-  printErr: (line) => postMessage({ line }),
-  onExit: (status) => postMessage({ status }),
+  print: (line) => postMessage(line),
+  printErr: (line) => postMessage(line),
 };
 importScripts(program);
