@@ -32,6 +32,7 @@ interface CoreModule {
   preview(maxPixels: number, maxSites: number): Preview | null;
   artifact(format: string): Artifact | string;
   HEAP32: Int32Array;
+  PThread?: { unusedWorkers: { unref(): void }[] };
   GL: {
     registerContext(context: WebGL2RenderingContext, attributes: { majorVersion: number }): number;
     makeContextCurrent(handle: number): boolean;
@@ -99,6 +100,8 @@ export async function createTessera(options: TesseraOptions = {}): Promise<Tesse
     mainScriptUrlOrBlob: script, // what the threads' workers load
     locateFile: (name: string) => files.get(name) ?? name,
   });
+  // Waiting threads do not keep a program alive that is done.
+  if (inNode) for (const worker of module.PThread?.unusedWorkers ?? []) worker.unref();
   module.setThreads(threads);
   return new Core(module, threads);
 }
