@@ -49,10 +49,6 @@ class App {
     return this.page.getByRole('link', { name, exact: true });
   }
 
-  get progress() {
-    return this.page.getByRole('progressbar');
-  }
-
   /** Until the run that goes on is done and every file of it is there. */
   async finished() {
     await this.link('Download PNG').waitFor(patience);
