@@ -71,7 +71,7 @@ TEST(AppendNumber, Appends) {
 }
 
 #if !defined(NDEBUG) && defined(GTEST_HAS_DEATH_TEST)
-TEST(AppendNumberDeathTest, RefusesWhatIsNoNumber) {
+TEST(AppendNumber, RefusesWhatIsNoNumber) {
   EXPECT_DEATH(number(std::nan("")), "");
   EXPECT_DEATH(number(std::numeric_limits<double>::infinity()), "");
   EXPECT_DEATH(number(-1e12), "");
