@@ -14,8 +14,9 @@ CORE = {
     'formats': {'base', 'geometry'},
     'voronoi': {'base', 'image', 'geometry'},
     'gpu': {'base', 'voronoi'},
+    'tessellation': {'base', 'geometry'},
 }
-TECHNIQUE = {'base', 'image', 'geometry', 'voronoi'}
+TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation'}
 NATIVE = {'io': {'base', 'image'}, 'egl': {'base'}}
 SOURCES = {'.h', '.cpp'}
 

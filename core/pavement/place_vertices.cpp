@@ -169,12 +169,19 @@ bool to_frontier(const Zones& zones, int a, int b, double limit, Point& p) {
   return true;
 }
 
+Point back_to_frontier(const Tessellation& t, const Fields& fields, int vertex, Point p) {
+  if (t.freedom[vertex] == Freedom::kFrontier)
+    to_frontier(fields.zones, t.between[vertex][0], t.between[vertex][1], 1, p);
+  return fields.inside(p.x, p.y);
+}
+
 Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
   const CellGraph& graph = diagram.graph;
   const Placer placer(diagram, fields);
   const std::size_t n = graph.junctions.size();
   Tessellation t;
   t.zone = diagram.cell_zone;
+  t.half_side.assign(t.zone.size(), static_cast<float>(fields.half_side));
   t.map.vertices.resize(n);
   t.freedom.resize(n);
   t.normal.resize(n);

@@ -5,12 +5,12 @@
 
 #include "tessera/pavement/diagram.h"
 #include "tessera/pavement/fields.h"
-#include "tessera/pavement/match_corners.h"
 #include "tessera/pavement/paper_stones.h"
 #include "tessera/pavement/place_vertices.h"
-#include "tessera/pavement/relax.h"
 #include "tessera/pavement/sites.h"
-#include "tessera/pavement/stones.h"
+#include "tessera/tessellation/match_corners.h"
+#include "tessera/tessellation/relax.h"
+#include "tessera/tessellation/separate.h"
 
 namespace tessera::pavement {
 namespace {
@@ -25,9 +25,9 @@ std::vector<Ring> extract_stones(const Diagram& diagram, const Fields& fields, c
   }
   Tessellation tessellation = place_vertices(diagram, fields);
   for (int cell = 0; cell < tessellation.cells(); ++cell) vertices_before.push_back(tessellation.map.corners(cell));
-  std::vector<char> flat = match_corners(tessellation, fields.half_side);
-  relax(tessellation, flat, fields);
-  return separate_stones(tessellation, flat, params, fields.half_side);
+  std::vector<char> flat = match_corners(tessellation);
+  relax(tessellation, flat, [&](int vertex, Point p) { return back_to_frontier(tessellation, fields, vertex, p); });
+  return separate_pieces(tessellation, flat, params.wide_angle);
 }
 
 // Source pixels, grout, colour; stones without area are left out.

@@ -6,10 +6,11 @@
 
 #include "diagrams.h"
 #include "tessera/geometry/polygon.h"
-#include "tessera/pavement/match_corners.h"
 #include "tessera/pavement/paper_stones.h"
-#include "tessera/pavement/relax.h"
-#include "tessera/pavement/stones.h"
+#include "tessera/pavement/place_vertices.h"
+#include "tessera/tessellation/match_corners.h"
+#include "tessera/tessellation/relax.h"
+#include "tessera/tessellation/separate.h"
 
 namespace tessera::pavement {
 namespace {
@@ -30,9 +31,9 @@ void for_shaped(const Check& check) {
       s.params.colors = drawing.colors;
       s.prepared = prepare(drawing.picture, s.params, seed);
       s.placed = place_vertices(s.prepared.diagram, s.prepared.fields);
-      s.matched = s.flat = match_corners(s.placed, s.prepared.fields.half_side);
+      s.matched = s.flat = match_corners(s.placed);
       s.relaxed = s.placed;
-      relax(s.relaxed, s.flat, s.prepared.fields);
+      relax(s.relaxed, s.flat, [&](int v, Point p) { return back_to_frontier(s.placed, s.prepared.fields, v, p); });
       check(drawing.name, s);
     }
   }
@@ -59,7 +60,7 @@ TEST(MatchCorners, MostStonesOfAPlainPictureHaveFourCorners) {
   Params params;
   const Prepared p = prepare(flat_drawing(160, 160, 255), params, 1);
   const Tessellation t = place_vertices(p.diagram, p.fields);
-  const auto flat = match_corners(t, p.fields.half_side);
+  const auto flat = match_corners(t);
   int four = 0;
   for (int cell = 0; cell < t.cells(); ++cell)
     four += std::count(flat.begin() + t.map.first[cell], flat.begin() + t.map.first[cell + 1], 0) == 4;
@@ -100,7 +101,7 @@ TEST(Relax, MakesFlatSidesStraighter) {
   Params params;
   const Prepared p = prepare(flat_drawing(120, 120, 255), params, 2);
   Tessellation t = place_vertices(p.diagram, p.fields);
-  auto flat = match_corners(t, p.fields.half_side);
+  auto flat = match_corners(t);
   const auto off = [&] {
     double sum = 0;
     for (int cell = 0; cell < t.cells(); ++cell) {
@@ -113,13 +114,13 @@ TEST(Relax, MakesFlatSidesStraighter) {
     return sum;
   };
   const double before = off();
-  relax(t, flat, p.fields);
+  relax(t, flat, [&](int v, Point q) { return back_to_frontier(t, p.fields, v, q); });
   EXPECT_LT(off(), 0.2 * before);
 }
 
-TEST(SeparateStones, KeepFourCornersAndStayWithinTheirCells) {
+TEST(SeparatePieces, KeepFourCornersAndStayWithinTheirCells) {
   for_shaped([](const std::string& name, const Shaped& s) {
-    const auto stones = separate_stones(s.relaxed, s.flat, s.params, s.prepared.fields.half_side);
+    const auto stones = separate_pieces(s.relaxed, s.flat, s.params.wide_angle);
     const PlanarMap& map = s.relaxed.map;
     ASSERT_EQ(static_cast<int>(stones.size()), map.cells());
     for (int cell = 0; cell < map.cells(); ++cell) {

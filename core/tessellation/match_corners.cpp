@@ -1,4 +1,4 @@
-#include "tessera/pavement/match_corners.h"
+#include "tessera/tessellation/match_corners.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <opencv2/core/utility.hpp>
 #include <queue>
 
-namespace tessera::pavement {
+namespace tessera {
 namespace {
 
 // What a curved frontier may deviate under one stone's straight side, in h: where the stone falls short of it there
@@ -26,7 +26,7 @@ struct Candidate {
 
 class Matcher {
  public:
-  Matcher(const Tessellation& t, double half_side) : t_(t), map_(t.map), h_(half_side) {
+  explicit Matcher(const Tessellation& t) : t_(t), map_(t.map) {
     flat_.assign(map_.ring.size(), 0);
     owner_.assign(map_.vertices.size(), -1);
     spare_.resize(map_.cells());
@@ -78,7 +78,7 @@ class Matcher {
                 b = map_.at(map_.next(c.cell, c.slot));
     const double size = length(b - a);
     if (spare_[c.cell] == 0 || size == 0) return;
-    const double hollow = cross(b - a, p - a) / (size * h_);
+    const double hollow = cross(b - a, p - a) / (size * t_.half_side[c.cell]);
     if (hollow <= kFrontierBeyond && hollow >= -kFrontierShort) take(c);
   }
 
@@ -100,13 +100,14 @@ class Matcher {
       const double size = length(way[i]);
       inverse[i] = size > 0 ? 1 / size : 0;
     }
+    const double h = t_.half_side[cell];
     double sum = 0;
     for (int i = 0; i < n; ++i) {
       const int last = i > 0 ? i - 1 : n - 1, next = i + 1 < n ? i + 1 : 0;
       const double square = cross(way[last], way[i]) * (inverse[last] * inverse[i]);
       sum += kSquareness * (1 - square) * (1 - square);
       for (int s = map_.next(cell, slot_of[i]); s != slot_of[next]; s = map_.next(cell, s)) {
-        const double off = cross(way[i], map_.at(s) - corner[i]) * (inverse[i] / h_);
+        const double off = cross(way[i], map_.at(s) - corner[i]) * (inverse[i] / h);
         sum += off * off;
       }
     }
@@ -231,7 +232,6 @@ class Matcher {
 
   const Tessellation& t_;
   const PlanarMap& map_;
-  const double h_;
   std::vector<char> flat_, candidate_at_;  // one a slot
   std::vector<int> owner_;                 // slot at which a vertex is flat, -1: none
   std::vector<int> spare_;                 // vertices of a cell above four that are corners still
@@ -245,6 +245,6 @@ class Matcher {
 
 }  // namespace
 
-std::vector<char> match_corners(const Tessellation& t, double half_side) { return Matcher(t, half_side).run(); }
+std::vector<char> match_corners(const Tessellation& t) { return Matcher(t).run(); }
 
-}  // namespace tessera::pavement
+}  // namespace tessera

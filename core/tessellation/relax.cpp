@@ -1,4 +1,4 @@
-#include "tessera/pavement/relax.h"
+#include "tessera/tessellation/relax.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "tessera/geometry/polygon.h"
 
-namespace tessera::pavement {
+namespace tessera {
 namespace {
 
 constexpr int kRounds = 30;
@@ -18,11 +18,11 @@ constexpr double kMargin = 0.15;    // of the line between its neighbours: how n
 
 class Relaxer {
  public:
-  Relaxer(Tessellation& t, const std::vector<char>& flat, double half_side)
-      : t_(t), map_(t.map), flat_(flat), half_side_(half_side) {
+  Relaxer(Tessellation& t, const std::vector<char>& flat) : t_(t), map_(t.map), flat_(flat) {
     nodes_.reserve(t.map.vertices.size());
     for (std::size_t v = 0; v < t.map.vertices.size(); ++v)
-      nodes_.push_back({t.map.vertices[v], t.map.vertices[v], t.normal[v], mobility(t.freedom[v]), t.freedom[v]});
+      nodes_.push_back(
+          {t.map.vertices[v], t.map.vertices[v], t.normal[v], mobility(t.freedom[v]), 1e30, t.freedom[v]});
     list_corners();
   }
 
@@ -46,13 +46,10 @@ class Relaxer {
   }
 
   // Sliding along a tangent leaves a curved frontier.
-  void back_to_frontier(const Fields& fields) {
+  void back_to_frontier(const Back& back) {
     cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
       for (int v = range.start; v < range.end; ++v) {
-        Node& node = nodes_[v];
-        if (node.freedom == Freedom::kFrontier)
-          to_frontier(fields.zones, t_.between[v][0], t_.between[v][1], 1, node.p);
-        node.p = fields.inside(node.p.x, node.p.y);
+        nodes_[v].p = back(v, nodes_[v].p);
       }
     });
   }
@@ -102,7 +99,7 @@ class Relaxer {
       while (flat[b] && b != slot) b = map_.next(cell, b);
       const Point way = map_.at(b) - map_.at(a);
       const double off = std::fabs(cross(way, map_.at(slot) - map_.at(a)));
-      if (off > kStraight * half_side_ * length(way)) flat[slot] = 0;
+      if (off > kStraight * t_.half_side[cell] * length(way)) flat[slot] = 0;
     }
   }
 
@@ -114,7 +111,7 @@ class Relaxer {
     bool convex = true;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
-      if (length(b - a) < kTouching * half_side_) return true;
+      if (length(b - a) < kTouching * t_.half_side[cell]) return true;
       convex &= cross(b - a, c - b) >= 0;
     }
     if (signed_area(ring) <= 0) return true;
@@ -124,7 +121,7 @@ class Relaxer {
   // A vertex with all that its moves need, side by side.
   struct Node {
     Point p, begin, normal;
-    double mobility;
+    double mobility, slide;
     Freedom freedom;
   };
 
@@ -143,8 +140,7 @@ class Relaxer {
     node.p += by - dot(by, node.normal) * node.normal;
     if (node.freedom != Freedom::kFrontier) return;
     const Point way = node.p - node.begin;
-    const double farthest = kSlide * half_side_;
-    if (length(way) > farthest) node.p = node.begin + (farthest / length(way)) * way;
+    if (length(way) > node.slide) node.p = node.begin + (node.slide / length(way)) * way;
   }
 
   // A free vertex between its neighbours in a stone's outline. On a frontier the drawing rules, not the straight
@@ -162,6 +158,7 @@ class Relaxer {
     for (int cell = 0; cell < map_.cells(); ++cell) {
       for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
         const int v = map_.ring[slot];
+        nodes_[v].slide = std::min<double>(nodes_[v].slide, kSlide * t_.half_side[cell]);
         if (t_.freedom[v] != Freedom::kFree) continue;
         const int before = map_.ring[map_.previous(cell, slot)], after = map_.ring[map_.next(cell, slot)];
         const std::size_t band = band_of(v);
@@ -194,7 +191,6 @@ class Relaxer {
   Tessellation& t_;
   PlanarMap& map_;
   const std::vector<char>& flat_;
-  const double half_side_;
   std::vector<Node> nodes_;
   std::vector<std::vector<Corner>> bands_;
   std::vector<Corner> across_;
@@ -202,15 +198,15 @@ class Relaxer {
 
 }  // namespace
 
-void relax(Tessellation& t, std::vector<char>& flat, const Fields& fields) {
-  Relaxer relaxer(t, flat, fields.half_side);
+void relax(Tessellation& t, std::vector<char>& flat, const Back& back) {
+  Relaxer relaxer(t, flat);
   for (int i = 0; i < kRounds; ++i) {
     relaxer.round(i < kRounds / 2 ? 0.2 : 0);
-    if (i == kRounds / 2) relaxer.back_to_frontier(fields);
+    if (i == kRounds / 2) relaxer.back_to_frontier(back);
   }
-  relaxer.back_to_frontier(fields);
+  relaxer.back_to_frontier(back);
   relaxer.apply();
   relaxer.untangle(flat);
 }
 
-}  // namespace tessera::pavement
+}  // namespace tessera

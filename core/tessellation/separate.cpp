@@ -1,4 +1,4 @@
-#include "tessera/pavement/stones.h"
+#include "tessera/tessellation/separate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "tessera/base/portable_math.h"
 
-namespace tessera::pavement {
+namespace tessera {
 namespace {
 
 constexpr double kTouching = 0.02;    // of h: corners nearer than this are one
@@ -115,8 +115,8 @@ Ring first_outline(Ring corners, Ring whole, double half_side) {
   return unfolded(std::move(whole));
 }
 
-Ring separate_stone(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg,
-                    double half_side) {
+Ring separate_piece(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg) {
+  const double half_side = t.half_side[cell];
   Ring corners, whole;
   for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
     whole.push_back(t.map.at(slot));
@@ -125,21 +125,19 @@ Ring separate_stone(const Tessellation& t, const std::vector<char>& flat, int ce
   merge_touching(corners, kTouching * half_side);
   drop_tiny_sides(corners, kTinySide * half_side);
   drop_wide_corners(corners, widest_deg);
-  Ring stone = first_outline(std::move(corners), std::move(whole), half_side);
-  complete_triangle(stone);
-  return stone;
+  Ring piece = first_outline(std::move(corners), std::move(whole), half_side);
+  complete_triangle(piece);
+  return piece;
 }
 
 }  // namespace
 
-std::vector<Ring> separate_stones(const Tessellation& t, const std::vector<char>& flat, const Params& params,
-                                  double half_side) {
-  std::vector<Ring> stones(t.cells());
+std::vector<Ring> separate_pieces(const Tessellation& t, const std::vector<char>& flat, double wide_angle) {
+  std::vector<Ring> pieces(t.cells());
   cv::parallel_for_({0, t.cells()}, [&](const cv::Range& range) {
-    for (int cell = range.start; cell < range.end; ++cell)
-      stones[cell] = separate_stone(t, flat, cell, params.wide_angle, half_side);
+    for (int cell = range.start; cell < range.end; ++cell) pieces[cell] = separate_piece(t, flat, cell, wide_angle);
   });
-  return stones;
+  return pieces;
 }
 
 void shrink(Ring& ring, double grout, double half_side) {
@@ -159,4 +157,4 @@ void shrink(Ring& ring, double grout, double half_side) {
   if (!is_simple(ring)) ring = whole;  // a hollow stone's centre may lie outside it
 }
 
-}  // namespace tessera::pavement
+}  // namespace tessera
