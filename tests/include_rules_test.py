@@ -14,7 +14,7 @@ CORE = {
     'formats': {'base', 'geometry'},
     'voronoi': {'base', 'image', 'geometry'},
     'gpu': {'base', 'voronoi'},
-    'tessellation': {'base', 'geometry'},
+    'tessellation': {'base', 'geometry', 'voronoi'},
 }
 TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation'}
 NATIVE = {'io': {'base', 'image'}, 'egl': {'base'}}

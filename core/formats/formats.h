@@ -24,6 +24,9 @@ std::string write_geojson(const PieceSheet& sheet);
 // CSV with a header, one row a piece: id,colour,area_px2,perimeter_px,vertices,orientation_deg,centroid_x,centroid_y.
 // Perimeter and vertices include those of holes.
 std::string write_csv(const PieceSheet& sheet);
+// CSV with a header, one row a colour, the largest area first: colour,name,count,area_px2,area_mm2,share. Areas in
+// mm2 are left empty where the sheet has no width_mm; `share` is of the pieces' area.
+std::string write_bill_csv(const PieceSheet& sheet);
 // PNG picture of the sheet, 8-bit RGB, anti-aliased by exact coverage, `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
 

@@ -15,6 +15,12 @@ struct Piece {
   Rgb fill;
 };
 
+// A colour that pieces can be bought in.
+struct Material {
+  std::string name;
+  Rgb colour;
+};
+
 struct PieceSheet {
   std::string kind = "piece";    // class of a piece, and stem of its id: stone, tile, cell
   std::string layer = "pieces";  // name of the pieces' layer: stones, tiles, cells
@@ -23,6 +29,7 @@ struct PieceSheet {
   Rgb grout{128, 128, 128};      // colour between the pieces
   std::string job_json;          // the job that made it, one JSON object; empty: none
   std::vector<Piece> pieces;
+  std::vector<Material> materials;  // names of fills, for a bill; empty: the fills have none
 };
 
 }  // namespace tessera

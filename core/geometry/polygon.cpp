@@ -166,4 +166,46 @@ bool is_simple(const Ring& ring) {
   return true;
 }
 
+Ring inset(const Ring& ring, double distance) {
+  const std::size_t n = ring.size();
+  if (n < 3 || distance <= 0) return ring;
+  const auto moved = [&](double by) {
+    Ring result;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point p = ring[i], in = p - ring[i > 0 ? i - 1 : n - 1], out = ring[i + 1 < n ? i + 1 : 0] - p;
+      const double a = length(in), b = length(out);
+      if (a == 0 || b == 0) return Ring{};
+      const Point normal_in{-in.y / a, in.x / a}, normal_out{-out.y / b, out.x / b};
+      const double along = 1 + dot(normal_in, normal_out);
+      if (along < 0.05) return Ring{};  // a spike
+      result.push_back(p + (by / along) * (normal_in + normal_out));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = i + 1 < n ? i + 1 : 0;
+      if (dot(result[k] - result[i], ring[k] - ring[i]) <= 0) return Ring{};  // a side has turned over
+    }
+    return signed_area(result) > 0 && is_simple(result) ? result : Ring{};
+  };
+  for (const double share : {1.0, 0.5, 0.25, 0.125})
+    if (Ring result = moved(share * distance); !result.empty()) return result;
+  return ring;
+}
+
+Ring clip_convex(const Ring& window, const Ring& ring) {
+  Ring rest = ring;
+  for (std::size_t i = 0; i < window.size() && !rest.empty(); ++i) {
+    const Point a = window[i], way = window[i + 1 < window.size() ? i + 1 : 0] - a;
+    const auto inside = [&](Point p) { return cross(way, p - a); };
+    Ring cut;
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      const Point p = rest[k], q = rest[k + 1 < rest.size() ? k + 1 : 0];
+      const double at_p = inside(p), at_q = inside(q);
+      if (at_p >= 0) cut.push_back(p);
+      if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) cut.push_back(p + (at_p / (at_p - at_q)) * (q - p));
+    }
+    rest = std::move(cut);
+  }
+  return rest.size() >= 3 ? rest : Ring{};
+}
+
 }  // namespace tessera

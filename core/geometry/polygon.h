@@ -17,12 +17,20 @@ struct Polygon {
 };
 
 double signed_area(const Ring& ring);
-double area(const Polygon& polygon);     // without its holes, >= 0
+double area(const Polygon& polygon);  // without its holes, >= 0
 double perimeter(const Ring& ring);
-Point centroid(const Ring& ring);        // centre of mass; the vertices' mean where the area is zero
+Point centroid(const Ring& ring);  // centre of mass; the vertices' mean where the area is zero
 bool is_convex(const Ring& ring, double tolerance_sine = 1e-9);  // no turn against the ring's sense
 // Direction of the longer side of the least rectangle around the ring, in degrees, [0, 180), from x towards y.
 double orientation_deg(const Ring& ring);
-bool is_simple(const Ring& ring);        // no side crosses or touches another; brute force, for short rings
+bool is_simple(const Ring& ring);  // no side crosses or touches another; brute force, for short rings
+
+// Each side moved inwards by `distance`, corners where they meet; for short rings that are simple and clockwise on
+// the screen. Where a ring is too narrow for that, by less: by a half, a quarter, an eighth, not at all.
+Ring inset(const Ring& ring, double distance);
+
+// What of a ring is inside a convex window, both clockwise on the screen (Sutherland and Hodgman); empty where
+// nothing is. Parts of a hollow ring stay joined by sides of no width.
+Ring clip_convex(const Ring& window, const Ring& ring);
 
 }  // namespace tessera

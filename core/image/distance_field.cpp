@@ -44,6 +44,13 @@ DistanceField exact_distance(const cv::Mat1b& zones) {
   return field;
 }
 
+DistanceField edge_distance(const cv::Mat1b& edges) {
+  if (cv::countNonZero(edges) == 0) return {edges.size(), kNoFrontier};
+  DistanceField field;
+  cv::distanceTransform(edges == 0, field, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  return field;
+}
+
 DistanceField chamfer_distance(const cv::Mat1b& zones) {
   constexpr float kDiagonal = 1.41421356f;
   const cv::Mat1b inner = frontier_pixels(zones);

@@ -12,6 +12,9 @@ inline constexpr float kNoFrontier = 1e6f;
 // Exact: Euclidean distance to the nearest pixel on a frontier, plus the half pixel from there to the frontier.
 DistanceField exact_distance(const cv::Mat1b& zones);
 
+// Exact distance from each pixel's centre to that of the next pixel of `edges` that is not 0.
+DistanceField edge_distance(const cv::Mat1b& edges);
+
 // The paper's: 0.5 beside a frontier, sqrt(2)/2 diagonally, the rest by the quasi-Euclidean 3x3 chamfer transform.
 DistanceField chamfer_distance(const cv::Mat1b& zones);
 

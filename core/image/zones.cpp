@@ -5,6 +5,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tessera/image/palette.h"
+
 namespace tessera {
 namespace {
 
@@ -74,23 +76,6 @@ double find_threshold(const std::array<double, 256>& histogram) {
   return 0.5 * (mean_level(histogram, 0, threshold, 0) + mean_level(histogram, threshold, 256, 255));
 }
 
-// First centres: the sample farthest from the mean, then ever the one farthest from those taken.
-cv::Mat1f first_centres(const cv::Mat1f& samples, int colors) {
-  cv::Mat1f last, centres(0, 3), nearest(samples.rows, 1, 1e12f);
-  cv::reduce(samples, last, 0, cv::REDUCE_AVG);
-  for (int k = 0; k < colors; ++k) {
-    int farthest = 0;
-    for (int i = 0; i < samples.rows; ++i) {
-      const float d = static_cast<float>(cv::norm(samples.row(i), last, cv::NORM_L2SQR));
-      nearest(i) = k <= 1 ? d : std::min(nearest(i), d);  // the mean itself is no centre
-      if (nearest(i) > nearest(farthest)) farthest = i;
-    }
-    last = samples.row(farthest).clone();
-    centres.push_back(last);
-  }
-  return centres;
-}
-
 }  // namespace
 
 double Zones::frontier(double x, double y, int a, int b) const {
@@ -140,7 +125,8 @@ double threshold_for_share(const cv::Mat3b& drawing, double share) {
   const std::array<double, 256> histogram = histogram_of(grey);
   double below = 0;
   int level = 0;
-  while (level < 255 && below + histogram[level] <= share * static_cast<double>(grey.total())) below += histogram[level++];
+  while (level < 255 && below + histogram[level] <= share * static_cast<double>(grey.total()))
+    below += histogram[level++];
   return std::max(1, level) / 255.0;
 }
 
@@ -155,21 +141,7 @@ cv::Mat1f centres_of(const cv::Mat3f& lab, int colors) {
       const cv::Vec3f v = lab(y, x);
       samples.push_back(cv::Mat1f({1, 3}, {v[0], v[1], v[2]}));
     }
-  cv::Mat1f centres = first_centres(samples, colors);
-  cv::Mat1i labels(samples.rows, 1, 0);
-  for (int i = 0; i < samples.rows; ++i) {
-    double least = 1e30;
-    for (int k = 0; k < colors; ++k) {
-      const double d = cv::norm(samples.row(i), centres.row(k), cv::NORM_L2SQR);
-      if (d < least) {
-        least = d;
-        labels(i) = k;
-      }
-    }
-  }
-  if (samples.rows >= colors)
-    cv::kmeans(samples, colors, labels, {cv::TermCriteria::COUNT, 20, 0}, 1, cv::KMEANS_USE_INITIAL_LABELS, centres);
-  return centres;
+  return lab_palette(samples, colors);
 }
 
 // A pixel is solid where its 3x3 neighbourhood is of one zone; anti-aliased rims are not.
@@ -217,27 +189,11 @@ Zones colour_zones(const cv::Mat3b& drawing, int colors) {
   zones.map.create(drawing.size());
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
-      const cv::Vec3f v = lab(y, x);
-      float least = 1e30f;
-      for (int k = 0; k < colors; ++k) {
-        const float* c = centres[k];
-        const float d = (v[0] - c[0]) * (v[0] - c[0]) + (v[1] - c[1]) * (v[1] - c[1]) + (v[2] - c[2]) * (v[2] - c[2]);
-        if (d < least) {
-          least = d;
-          zones.map(y, x) = static_cast<unsigned char>(k);
-        }
-      }
+      zones.map(y, x) = static_cast<unsigned char>(nearest_colour(centres, lab(y, x)));
     }
   }
-  cv::Mat3f rgb, lab_centres(1, colors);
-  for (int k = 0; k < colors; ++k) lab_centres(0, k) = {centres(k, 0), centres(k, 1), centres(k, 2)};
-  cv::cvtColor(lab_centres, rgb, cv::COLOR_Lab2RGB);
-  for (int k = 0; k < colors; ++k) {
-    const cv::Vec3f level = rgb(0, k) * 255;
-    const cv::Vec3b byte(level);
-    zones.levels.push_back(level);
-    zones.palette.push_back({byte[0], byte[1], byte[2]});
-  }
+  zones.palette = to_rgb(centres);
+  for (const Rgb c : zones.palette) zones.levels.push_back(cv::Vec3f(c.r, c.g, c.b));
   absorb_blends(zones, drawing);
   zones.smooth = blurred(drawing, kSoftSigma);
   return zones;

@@ -11,6 +11,7 @@
 #include "tessera/formats/formats.h"
 #include "tessera/geometry/piece.h"
 #include "tessera/image/image_view.h"
+#include "tessera/mosaic/params.h"
 #include "tessera/pavement/params.h"
 #include "tessera/voronoi/lloyd.h"
 
@@ -21,7 +22,7 @@ inline constexpr int kSchemaVersion = 1;
 inline constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
 
 // One alternative a technique. A new technique adds its struct here and a row to techniques() (techniques.h).
-using TechniqueParams = std::variant<pavement::Params>;
+using TechniqueParams = std::variant<pavement::Params, mosaic::Params>;
 
 struct Job {
   std::uint64_t seed = 1;  // 0 to kMaxSeed

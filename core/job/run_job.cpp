@@ -28,6 +28,7 @@ const Format kFormats[] = {
     {"png", "image/png", [](const PieceSheet& sheet, double scale) { return write_png(sheet, scale); }},
     {"json", "application/geo+json", [](const PieceSheet& sheet, double) { return write_geojson(sheet); }},
     {"csv", "text/csv", [](const PieceSheet& sheet, double) { return write_csv(sheet); }},
+    {"bom.csv", "text/csv", [](const PieceSheet& sheet, double) { return write_bill_csv(sheet); }},
 };
 
 // `name` is among the technique's formats.
@@ -65,6 +66,7 @@ void check_pictures(const Technique& technique, const Pictures& pictures, Proble
     const auto found = pictures.find(std::string(role.name));
     const char* trouble = nullptr;
     if (found == pictures.end()) {
+      if (!role.required) continue;
       trouble = "is missing, expected a picture";
     } else if (!found->second.pixels || found->second.width < 1 || found->second.height < 1) {
       trouble = "has no pixels, expected at least one";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "tessera/job/mosaic_job.h"
 #include "tessera/job/pavement_job.h"
 
 namespace tessera {
@@ -16,6 +17,16 @@ const std::vector<Technique>& techniques() {
        .formats = {"svg", "dxf", "png", "json", "csv"},
        .defaults = pavement::Params{},
        .run = run_pavement_job},
+      {.name = "mosaic",
+       .command = "mosaic",
+       .help = "Decorative mosaic of oriented tiles from a photo",
+       .inputs = {{"photo", "The photo to lay"},
+                  {"edges", "Lines that rows of tiles follow, instead of the photo's own edges", false},
+                  {"direction", "Directions of the tiles: grey 0 to 255 is an angle of 0 to 180 degrees", false},
+                  {"regions", "Sizes of the tiles: its colours stand for those of --region-sizes", false}},
+       .formats = {"svg", "dxf", "png", "json", "csv", "bom.csv"},
+       .defaults = mosaic::Params{},
+       .run = run_mosaic_job},
   };
   assert(all.size() == std::variant_size_v<TechniqueParams>);
   return all;

@@ -12,6 +12,7 @@ namespace tessera {
 struct InputRole {
   std::string_view name;  // "drawing"
   std::string_view help;  // one line
+  bool required = true;
 };
 
 using TechniqueRun = Result<Outcome>(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
@@ -24,7 +25,7 @@ struct Technique {
   std::vector<InputRole> inputs;
   std::vector<std::string> formats;  // of JobRequest
   TechniqueParams defaults;
-  TechniqueRun* run;  // pictures hold every role, the parameters are valid
+  TechniqueRun* run;  // pictures hold every required role, the parameters are valid
 };
 
 // In the order of TechniqueParams' alternatives.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/core/utility.hpp>
 
+#include "tessera/tessellation/outlines.h"
+
 namespace tessera::pavement {
 namespace {
 
@@ -51,41 +53,10 @@ class Bender {
       if (!bends_[k].empty()) move_joints(static_cast<int>(k));
   }
 
-  // A stone has four corners at least: the longest arcs of cells with fewer get the missing ones.
-  void complete_rings(const CellRings& rings) {
-    for (int cell = 0; cell < rings.cells(); ++cell) {
-      const auto ring = rings[cell];
-      int corners = 0;
-      for (const int h : ring) corners += 1 + static_cast<int>(bends_[h >> 1].size());
-      if (ring.empty() || corners >= 4) continue;
-      int longest = ring.front() >> 1;
-      for (const int h : ring)
-        if (graph_.arcs[h >> 1].length > graph_.arcs[longest].length) longest = h >> 1;
-      bends_[longest] = spread(longest, static_cast<int>(bends_[longest].size()) + 4 - corners);
-    }
-  }
-
   void assemble(const CellRings& rings) {
-    std::vector<int> first(bends_.size());
-    for (std::size_t k = 0; k < bends_.size(); ++k) {
-      first[k] = static_cast<int>(t_.map.vertices.size());
-      const Arc& arc = graph_.arcs[k];
-      const bool frontier = arc.left >= 0 && arc.right >= 0 && t_.zone[arc.left] != t_.zone[arc.right];
-      for (const Point p : bends_[k]) {
-        t_.map.vertices.push_back(p);
-        t_.freedom.push_back(frontier || arc.left < 0 || arc.right < 0 ? Freedom::kFixed : Freedom::kFree);
-        t_.normal.push_back({0, 0});
-        t_.between.push_back({});
-      }
-    }
-    for (int cell = 0; cell < rings.cells(); ++cell) {
-      for (const int h : rings[cell]) {
-        t_.map.ring.push_back(graph_.tail(h));
-        const int k = h >> 1, n = static_cast<int>(bends_[k].size());
-        for (int i = 0; i < n; ++i) t_.map.ring.push_back(first[k] + (h & 1 ? n - 1 - i : i));
-      }
-      t_.map.first.push_back(static_cast<int>(t_.map.ring.size()));
-    }
+    complete_rings(
+        graph_, rings, [this](int arc) { return course(arc); }, bends_);
+    assemble_rings(graph_, rings, bends_, t_);
   }
 
  private:
@@ -111,17 +82,6 @@ class Bender {
     std::vector<Point> bends;
     for (const std::size_t i : kept) bends.push_back(line[i]);
     return bends;
-  }
-
-  std::vector<Point> spread(int k, int count) const {
-    const std::vector<Point> line = course(k);
-    std::vector<Point> points;
-    for (int i = 1; i <= count; ++i) {
-      const double where = static_cast<double>(i) * static_cast<double>(line.size() - 1) / (count + 1);
-      const std::size_t a = static_cast<std::size_t>(where), b = std::min(a + 1, line.size() - 1);
-      points.push_back(line[a] + (where - static_cast<double>(a)) * (line[b] - line[a]));
-    }
-    return points;
   }
 
   // Moves the arc's first or last junction into its nearest bend, where that spares a stone a hollow corner.
@@ -167,7 +127,7 @@ class Bender {
   const Diagram& diagram_;
   const Fields& fields_;
   Tessellation& t_;
-  std::vector<std::vector<Point>> bends_;
+  Bends bends_;
 };
 
 }  // namespace
@@ -177,7 +137,6 @@ void bend_arcs(const Diagram& diagram, const Fields& fields, Tessellation& t) {
   const CellRings rings = cell_rings(diagram.graph, diagram.cells, enclosing);
   Bender bender(diagram, fields, t);
   bender.follow_frontiers();
-  bender.complete_rings(rings);
   bender.assemble(rings);
 }
 

@@ -52,15 +52,15 @@ Zones supersampled_zones(const cv::Mat3b& drawing, const Zones& zones, int scale
 
 NoiseDirection::NoiseDirection(const DistanceField& distance, double far, double spacing, double wavelength,
                                std::uint64_t seed)
-    : spacing_(spacing),
-      grid_(static_cast<int>(distance.rows / spacing) + 2, static_cast<int>(distance.cols / spacing) + 2) {
+    : field_(distance.size(), spacing) {
   Rng rng(seed, RngPurpose::kNoise);
   const float offset[] = {static_cast<float>(rng.uniform(0, 200)), static_cast<float>(rng.uniform(0, 200)),
                           static_cast<float>(rng.uniform(0, 200)), static_cast<float>(rng.uniform(0, 200))};
   const float step = static_cast<float>(spacing / wavelength);
-  for (int j = 0; j < grid_.rows; ++j)
-    for (int i = 0; i < grid_.cols; ++i)
-      grid_(j, i) = {glm::perlin(glm::vec2(offset[0] + i * step, offset[1] + j * step)),
+  cv::Mat2f& nodes = field_.nodes();
+  for (int j = 0; j < nodes.rows; ++j)
+    for (int i = 0; i < nodes.cols; ++i)
+      nodes(j, i) = {glm::perlin(glm::vec2(offset[0] + i * step, offset[1] + j * step)),
                      glm::perlin(glm::vec2(offset[2] + i * step, offset[3] + j * step))};
   balance(distance, far);
 }
@@ -68,37 +68,27 @@ NoiseDirection::NoiseDirection(const DistanceField& distance, double far, double
 void NoiseDirection::balance(const DistanceField& distance, double far) {
   constexpr int kRounds = 12;
   constexpr double kGain = 0.3;  // about the noise's own size
+  cv::Mat2f& nodes = field_.nodes();
+  const double spacing = field_.step();
   for (int round = 0; round < kRounds; ++round) {
     cv::Vec2d sum(0, 0);
     int count = 0;
-    for (int j = 0; j < grid_.rows; ++j) {
-      for (int i = 0; i < grid_.cols; ++i) {
-        const int x = static_cast<int>(i * spacing_), y = static_cast<int>(j * spacing_);
+    for (int j = 0; j < nodes.rows; ++j) {
+      for (int i = 0; i < nodes.cols; ++i) {
+        const int x = static_cast<int>(i * spacing), y = static_cast<int>(j * spacing);
         if (x >= distance.cols || y >= distance.rows || distance(y, x) < far) continue;
         ++count;
         // Stones at the picture's border line up with it whatever the noise says.
-        if (i == 0 || j == 0 || x + spacing_ >= distance.cols || y + spacing_ >= distance.rows)
-          sum += cv::Vec2d(1, 0);
-        const cv::Vec2d v = grid_(j, i);
+        if (i == 0 || j == 0 || x + spacing >= distance.cols || y + spacing >= distance.rows) sum += cv::Vec2d(1, 0);
+        const cv::Vec2d v = nodes(j, i);
         const double size = std::sqrt(v.dot(v));
         if (size > 0) sum += v * (1 / size);
       }
     }
     if (count == 0) return;
     const cv::Vec2d off = sum * (kGain / count);
-    for (cv::Vec2f& v : grid_) v -= cv::Vec2f(static_cast<float>(off[0]), static_cast<float>(off[1]));
+    for (cv::Vec2f& v : nodes) v -= cv::Vec2f(static_cast<float>(off[0]), static_cast<float>(off[1]));
   }
-}
-
-double NoiseDirection::angle(double x, double y) const {
-  const double u = std::clamp(x / spacing_, 0.0, grid_.cols - 1.001),
-               v = std::clamp(y / spacing_, 0.0, grid_.rows - 1.001);
-  const int i = static_cast<int>(u), j = static_cast<int>(v);
-  const float s = static_cast<float>(u - i), t = static_cast<float>(v - j);
-  const cv::Vec2f a = grid_(j, i) * (1 - s) + grid_(j, i + 1) * s,
-                  b = grid_(j + 1, i) * (1 - s) + grid_(j + 1, i + 1) * s;
-  const cv::Vec2f n = a * (1 - t) + b * t;
-  return atan2_portable(n[1], n[0]) / 4;
 }
 
 int Fields::zone_at(double x, double y) const {

@@ -7,6 +7,7 @@
 
 #include "tessera/base/run_context.h"
 #include "tessera/geometry/point.h"
+#include "tessera/image/direction_field.h"
 #include "tessera/image/distance_field.h"
 #include "tessera/image/image_view.h"
 #include "tessera/image/zones.h"
@@ -23,13 +24,12 @@ class NoiseDirection {
  public:
   // Balanced over the pixels at least `far` from an edge.
   NoiseDirection(const DistanceField& distance, double far, double spacing, double wavelength, std::uint64_t seed);
-  double angle(double x, double y) const;  // radians
+  double angle(double x, double y) const { return field_.angle(x, y); }  // radians
 
  private:
   void balance(const DistanceField& distance, double far);
 
-  double spacing_;
-  cv::Mat2f grid_;
+  DirectionField field_;
 };
 
 // All in pixels of the diagram, which has `scale` pixels a source pixel.

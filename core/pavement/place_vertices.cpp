@@ -5,6 +5,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "tessera/pavement/bend_arcs.h"
+#include "tessera/voronoi/equidistant.h"
 
 namespace tessera::pavement {
 namespace {
@@ -41,7 +42,7 @@ class Placer {
  public:
   Placer(const Diagram& diagram, const Fields& fields) : diagram_(diagram), fields_(fields) {
     frames_.reserve(diagram.sites.size());
-    for (const Site& site : diagram.sites) frames_.emplace_back(site);
+    for (const Site& site : diagram.sites) frames_.emplace_back(site, Metric::kFrustum);
   }
 
   // Position, freedom and normal of one junction, and the zones it is between.
@@ -68,44 +69,26 @@ class Placer {
  private:
   static constexpr double kLimit = 1.5;  // pixels a vertex may move away from its corner
 
-  const FrustumDistance* frame(int cell) const {
+  const SiteDistance* frame(int cell) const {
     return cell < static_cast<int>(frames_.size()) ? &frames_[cell] : nullptr;
   }
 
-  // Newton's method for equal distance from the first three sites.
+  // Equally far from the first three sites, within the picture.
   void balance(const Meeting& meeting, Point& p) const {
-    const FrustumDistance* sites[3];
+    const SiteDistance* sites[3];
     for (int k = 0; k < 3; ++k)
       if (!(sites[k] = frame(meeting.cells[k]))) return;
     Point q = p;
-    for (int i = 0; i < 6; ++i) {
-      const auto a = sites[0]->at(q.x, q.y), b = sites[1]->at(q.x, q.y), c = sites[2]->at(q.x, q.y);
-      const Point ab{a.slope_x - b.slope_x, a.slope_y - b.slope_y}, ac{a.slope_x - c.slope_x, a.slope_y - c.slope_y};
-      const double f = a.distance - b.distance, g = a.distance - c.distance, det = cross(ab, ac);
-      if (std::fabs(det) < 0.05) return;
-      const Point step{(g * ab.y - f * ac.y) / det, (f * ac.x - g * ab.x) / det};
-      q += step;
-      if (length(q - p) > kLimit || !(q == fields_.inside(q.x, q.y))) return;
-      if (length(step) < 1e-3) break;
-    }
-    p = q;
+    if (make_equidistant(*sites[0], *sites[1], *sites[2], kLimit, q) && q == fields_.inside(q.x, q.y)) p = q;
   }
 
   // Slides p along a line until the first two sites of the meeting that share a zone are equally far.
   void balance_along(const Meeting& meeting, Point direction, Point& p) const {
     for (int i = 0; i < meeting.count; ++i) {
       for (int j = i + 1; j < meeting.count; ++j) {
-        const FrustumDistance *a = frame(meeting.cells[i]), *b = frame(meeting.cells[j]);
+        const SiteDistance *a = frame(meeting.cells[i]), *b = frame(meeting.cells[j]);
         if (!a || !b || diagram_.cell_zone[meeting.cells[i]] != diagram_.cell_zone[meeting.cells[j]]) continue;
-        Point q = p;
-        for (int k = 0; k < 4; ++k) {
-          const auto s = a->at(q.x, q.y), t = b->at(q.x, q.y);
-          const double slope = dot({s.slope_x - t.slope_x, s.slope_y - t.slope_y}, direction);
-          if (std::fabs(slope) < 0.1) return;
-          q -= ((s.distance - t.distance) / slope) * direction;
-          if (length(q - p) > kLimit) return;
-        }
-        p = q;
+        make_equidistant_along(*a, *b, direction, kLimit, p);
         return;
       }
     }
@@ -146,7 +129,7 @@ class Placer {
 
   const Diagram& diagram_;
   const Fields& fields_;
-  std::vector<FrustumDistance> frames_;
+  std::vector<SiteDistance> frames_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 // is wider grout, where it goes beyond it covers the other colour.
 constexpr double kFrontierShort = 0.2, kFrontierBeyond = 0.12;
 constexpr double kSquareness = 0.25;  // weight of right angles against distances moved (in h, squared)
+constexpr double kAlignment = 0.4;    // weight of sides along the cell's frame, if it has one
 constexpr double kTooFar = 1.2;       // largest rise of a stone's badness that one flat angle may cost
 constexpr double kChange = 0.01;      // least cost of a link in a chain of changes
 constexpr int kSearchLimit = 300;     // links an augmenting search may look at
@@ -106,6 +107,12 @@ class Matcher {
       const int last = i > 0 ? i - 1 : n - 1, next = i + 1 < n ? i + 1 : 0;
       const double square = cross(way[last], way[i]) * (inverse[last] * inverse[i]);
       sum += kSquareness * (1 - square) * (1 - square);
+      if (!t_.frame.empty()) {
+        // Sine of twice the angle between the side and the frame's axis next to it.
+        const Point axis = t_.frame[cell];
+        const double askew = 2 * dot(way[i], axis) * cross(way[i], axis) * inverse[i] * inverse[i];
+        sum += kAlignment * askew * askew;
+      }
       for (int s = map_.next(cell, slot_of[i]); s != slot_of[next]; s = map_.next(cell, s)) {
         const double off = cross(way[i], map_.at(s) - corner[i]) * (inverse[i] / h);
         sum += off * off;

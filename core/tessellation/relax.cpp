@@ -9,16 +9,15 @@
 namespace tessera {
 namespace {
 
-constexpr int kRounds = 30;
 constexpr double kSlide = 0.35;     // of h: how far a vertex slides along a frontier
-constexpr double kStraight = 0.15;  // of h: how far a flat vertex may be from its stone's side
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
 constexpr double kBand = 1024;      // px: height of the bands that are relaxed side by side
 constexpr double kMargin = 0.15;    // of the line between its neighbours: how near a vertex comes to either
 
 class Relaxer {
  public:
-  Relaxer(Tessellation& t, const std::vector<char>& flat) : t_(t), map_(t.map), flat_(flat) {
+  Relaxer(Tessellation& t, const std::vector<char>& flat, const RelaxParams& params)
+      : t_(t), map_(t.map), flat_(flat), params_(params) {
     nodes_.reserve(t.map.vertices.size());
     for (std::size_t v = 0; v < t.map.vertices.size(); ++v)
       nodes_.push_back(
@@ -45,6 +44,24 @@ class Relaxer {
     for (const Corner& corner : across_) straighten(corner);
   }
 
+  // Draws the corners of pieces with four towards the rectangle in the piece's frame that fits them best.
+  void square_up(double strength) {
+    const std::size_t slots = map_.ring.size();
+    way_.assign(slots, {0, 0});
+    cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
+      for (int cell = range.start; cell < range.end; ++cell) fit_rectangle(cell);
+    });
+    pull_.assign(nodes_.size(), {0, 0});
+    pulls_.assign(nodes_.size(), 0);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      if (way_[slot].x == 0 && way_[slot].y == 0) continue;
+      pull_[map_.ring[slot]] += way_[slot];
+      ++pulls_[map_.ring[slot]];
+    }
+    for (std::size_t v = 0; v < nodes_.size(); ++v)
+      if (pulls_[v] > 0 && nodes_[v].freedom != Freedom::kFixed) move(nodes_[v], (strength / pulls_[v]) * pull_[v]);
+  }
+
   // Sliding along a tangent leaves a curved frontier.
   void back_to_frontier(const Back& back) {
     cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
@@ -59,7 +76,7 @@ class Relaxer {
     for (std::size_t v = 0; v < nodes_.size(); ++v) map_.vertices[v] = nodes_[v].p;
   }
 
-  // Undoes the moves of tangled stones, until none is left that undoing helps.
+  // Undoes the moves of tangled pieces, until none is left that undoing helps.
   void untangle(std::vector<char>& flat) {
     std::vector<char> undone(map_.vertices.size(), 0), tangled(map_.cells());
     const auto each_cell = [&](const auto& visit) {
@@ -67,8 +84,8 @@ class Relaxer {
         for (int cell = range.start; cell < range.end; ++cell) visit(cell);
       });
     };
-    for (bool again = true; again;) {
-      again = false;
+    const auto undo_tangled = [&] {
+      bool undid = false;
       each_cell([&](int cell) { tangled[cell] = is_tangled(cell); });
       for (int cell = 0; cell < map_.cells(); ++cell) {
         const auto begin = map_.ring.begin() + map_.first[cell], end = map_.ring.begin() + map_.first[cell + 1];
@@ -78,29 +95,46 @@ class Relaxer {
         for (auto v = begin; v != end; ++v) {
           if (undone[*v]) continue;
           undone[*v] = 1;
-          again = true;
+          undid = true;
           map_.vertices[*v] = nodes_[*v].begin;
         }
       }
       for (std::size_t slot = 0; slot < flat.size(); ++slot)
         if (undone[map_.ring[slot]]) flat[slot] = 0;
-    }
-    each_cell([&](int cell) { keep_straight(cell, flat); });
+      return undid;
+    };
+    // What is a corner after all may tangle its piece in turn.
+    do {
+      while (undo_tangled()) {
+      }
+      each_cell([&](int cell) {
+        while (keep_straight(cell, flat)) {
+        }
+      });
+    } while (undo_tangled());
   }
 
  private:
-  // A vertex that is not on its stone's side after all is a corner of the stone: left out, its neighbours would
-  // overlap.
-  void keep_straight(int cell, std::vector<char>& flat) const {
+  // A vertex that is not on its piece's side after all is a corner of the piece: left out, its neighbours would
+  // overlap. Returns whether there was one.
+  bool keep_straight(int cell, std::vector<char>& flat) const {
+    bool changed = false;
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
-      if (!flat[slot] || t_.freedom[map_.ring[slot]] != Freedom::kFree) continue;
+      const Freedom freedom = t_.freedom[map_.ring[slot]];
+      const bool bound = freedom == Freedom::kFree || (params_.frontiers_too && freedom == Freedom::kFrontier);
+      if (!flat[slot] || !bound) continue;
       int a = map_.previous(cell, slot), b = map_.next(cell, slot);
       while (flat[a] && a != slot) a = map_.previous(cell, a);
       while (flat[b] && b != slot) b = map_.next(cell, b);
       const Point way = map_.at(b) - map_.at(a);
-      const double off = std::fabs(cross(way, map_.at(slot) - map_.at(a)));
-      if (off > kStraight * t_.half_side[cell] * length(way)) flat[slot] = 0;
+      // Positive: into the piece, as rings are clockwise on the screen.
+      const double off = cross(way, map_.at(slot) - map_.at(a)), unit = t_.half_side[cell] * length(way);
+      if (off > params_.overlap * unit || off < -params_.gap * unit) {
+        flat[slot] = 0;
+        changed = true;
+      }
     }
+    return changed;
   }
 
   // Corners that cross or coincide, or an outline turned over.
@@ -124,6 +158,40 @@ class Relaxer {
     double mobility, slide;
     Freedom freedom;
   };
+
+  void fit_rectangle(int cell) {
+    int slot_of[4], n = 0;
+    for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
+      if (flat_[slot]) continue;
+      if (n == 4) return;
+      slot_of[n++] = slot;
+    }
+    if (n != 4) return;
+    const Point axis = t_.frame[cell];
+    Point corner[4], centre;
+    for (int k = 0; k < 4; ++k) centre += 0.25 * nodes_[map_.ring[slot_of[k]]].p;
+    for (int k = 0; k < 4; ++k) {
+      const Point off = nodes_[map_.ring[slot_of[k]]].p - centre;
+      corner[k] = {dot(off, axis), cross(axis, off)};
+    }
+    // Which corner is the rectangle's first: of the four ways the one that fits best.
+    constexpr double kSignU[] = {-1, 1, 1, -1}, kSignV[] = {-1, -1, 1, 1};
+    int first = 0;
+    double best = -1e30, half_u = 0, half_v = 0;
+    for (int turn = 0; turn < 4; ++turn) {
+      double u = 0, v = 0;
+      for (int k = 0; k < 4; ++k) {
+        u += 0.25 * kSignU[(k + turn) & 3] * corner[k].x;
+        v += 0.25 * kSignV[(k + turn) & 3] * corner[k].y;
+      }
+      if (u > 0 && v > 0 && u + v > best) best = u + v, first = turn, half_u = u, half_v = v;
+    }
+    if (best < 0) return;
+    for (int k = 0; k < 4; ++k) {
+      const Point off{kSignU[(k + first) & 3] * half_u - corner[k].x, kSignV[(k + first) & 3] * half_v - corner[k].y};
+      way_[slot_of[k]] = {off.x * axis.x - off.y * axis.y, off.x * axis.y + off.y * axis.x};
+    }
+  }
 
   // How far a vertex gives way. Those on frontiers little: a slide around a corner of the drawing would cut it off.
   static double mobility(Freedom freedom) {
@@ -191,18 +259,23 @@ class Relaxer {
   Tessellation& t_;
   PlanarMap& map_;
   const std::vector<char>& flat_;
+  const RelaxParams& params_;
   std::vector<Node> nodes_;
   std::vector<std::vector<Corner>> bands_;
   std::vector<Corner> across_;
+  // Of square_up(): how each slot's corner shall move, their sum and number for each vertex.
+  std::vector<Point> way_, pull_;
+  std::vector<int> pulls_;
 };
 
 }  // namespace
 
-void relax(Tessellation& t, std::vector<char>& flat, const Back& back) {
-  Relaxer relaxer(t, flat);
-  for (int i = 0; i < kRounds; ++i) {
-    relaxer.round(i < kRounds / 2 ? 0.2 : 0);
-    if (i == kRounds / 2) relaxer.back_to_frontier(back);
+void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params) {
+  Relaxer relaxer(t, flat, params);
+  for (int i = 0; i < params.rounds; ++i) {
+    if (!t.frame.empty() && i < params.rounds / 2) relaxer.square_up(params.squareness);
+    relaxer.round(i < params.rounds / 2 ? params.pull : 0);
+    if (i == params.rounds / 2) relaxer.back_to_frontier(back);
   }
   relaxer.back_to_frontier(back);
   relaxer.apply();

@@ -15,8 +15,18 @@ using Back = std::function<Point(int vertex, Point p)>;
 // Projects the constraints one after the other, in rounds: a flat slot's vertex onto the line between its neighbours,
 // which give way a little; other corners out of hollows. Frontier and border vertices slide only along theirs.
 //
+struct RelaxParams {
+  int rounds = 30;
+  double pull = 0.2;  // how strongly vertices are drawn back to where they began, in the first half of the rounds
+  double squareness = 0.3;  // how far corners go, in a round, to the rectangle in the piece's frame, if it has one
+  // How far a flat vertex may be off its piece's side in the end, in h, to count as flat: away from the piece, which
+  // leaves a gap, and into it, which makes its neighbours overlap it.
+  double gap = 0.15, overlap = 0.15;
+  bool frontiers_too = false;  // whether that holds for vertices on frontiers, not among pieces of one zone alone
+};
+
 // A piece that came out of it tangled goes back to where it began, and its vertices are flat no more (`flat` is
 // changed).
-void relax(Tessellation& t, std::vector<char>& flat, const Back& back);
+void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params = {});
 
 }  // namespace tessera

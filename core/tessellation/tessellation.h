@@ -24,6 +24,8 @@ struct Tessellation {
   std::vector<std::array<std::uint8_t, 2>> between;  // the zones on both sides of a vertex on a frontier
   std::vector<std::uint8_t> zone;                    // one a cell
   std::vector<float> half_side;                      // one a cell: h, what its lengths are measured by; > 0
+  // Empty, or one a cell: unit vector along which two of the piece's four sides shall lie, the other two across it.
+  std::vector<Point> frame;
   int cells() const { return map.cells(); }
 };
 

@@ -10,7 +10,11 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <opencv2/core/utility.hpp>
+
+#include "tessera/base/portable_math.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace tessera {
@@ -87,6 +91,34 @@ const std::vector<CellMoments>& CellSums::of(const LabelMap& labels, int cells) 
     }
   });
   return partial_[0];
+}
+
+int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
+  std::map<int, std::vector<int>> largest;  // by zone, filled where needed: a heap
+  const auto smaller = [&](int a, int b) {
+    return moments[a].count != moments[b].count ? moments[a].count < moments[b].count : a < b;
+  };
+  int reseeded = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (moments[i].count > 0) continue;
+    std::vector<int>& candidates = largest[sites[i].zone];
+    if (candidates.empty()) {
+      for (std::size_t k = 0; k < sites.size(); ++k)
+        if (sites[k].zone == sites[i].zone && moments[k].count > 1) candidates.push_back(static_cast<int>(k));
+      std::make_heap(candidates.begin(), candidates.end(), smaller);
+    }
+    if (candidates.empty()) continue;
+    std::pop_heap(candidates.begin(), candidates.end(), smaller);
+    const int k = candidates.back();
+    candidates.pop_back();
+    const SinCos turn = sin_cos(sites[k].angle);
+    const double away = 0.3 * std::sqrt(static_cast<double>(moments[k].count));
+    sites[i].x = snap_position(moments[k].centroid_x() + away * turn.cos);
+    sites[i].y = snap_position(moments[k].centroid_y() + away * turn.sin);
+    sites[i].angle = sites[k].angle;
+    ++reseeded;
+  }
+  return reseeded;
 }
 
 std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells) { return CellSums().of(labels, cells); }

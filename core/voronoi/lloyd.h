@@ -46,4 +46,7 @@ class CellSums {
 // The same, once.
 std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells);
 
+// Gives each empty cell's site a place beside that of one of the largest cells of its zone. Returns how many moved.
+int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments);
+
 }  // namespace tessera

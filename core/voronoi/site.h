@@ -24,18 +24,21 @@ struct Site {
 
 using Sites = std::vector<Site>;
 
-// A site's frame, ready for measuring the frustum distance in double precision.
-class FrustumDistance {
+// A site's frame, ready for measuring distances to it in double precision.
+class SiteDistance {
  public:
-  explicit FrustumDistance(const Site& site);
+  SiteDistance(const Site& site, Metric metric);
 
   struct Sample {
     double distance;
-    double slope_x, slope_y;  // its gradient, of length 1 but where it has none (length 0)
+    double slope_x, slope_y;  // its gradient; (0, 0) where it has none
   };
   Sample at(double x, double y) const;
 
  private:
+  Sample turned(double distance, double slope_u, double slope_v) const;
+
+  Metric metric_;
   double x_, y_, cosine_, sine_, extent_u_, extent_v_;
 };
 

@@ -81,9 +81,13 @@ class TechniqueCommand {
         advanced_(app_, "More parameters", select(parameters_of(technique.defaults), true)),
         run_(app_, technique.formats) {
     for (const InputRole& role : technique.inputs) {
-      app_.add_option(upper(role.name), inputs_[std::string(role.name)], std::string(role.help))
-          ->required()
-          ->type_name("FILE");
+      const std::string name(role.name);
+      std::string& path = inputs_[name];
+      if (role.required) {
+        app_.add_option(upper(role.name), path, std::string(role.help))->required()->type_name("FILE");
+      } else {
+        app_.add_option("--" + name, path, std::string(role.help))->type_name("FILE")->group("Inputs");
+      }
     }
     app_.footer(kInputsFooter);
   }
@@ -94,6 +98,7 @@ class TechniqueCommand {
     RunNewJob command;
     command.settings = run_.read(problems);
     command.job.inputs = inputs_;
+    std::erase_if(command.job.inputs, [](const auto& input) { return input.second.empty(); });
     command.job.params = technique_.defaults;
     Json given = main_.given();
     given.update(advanced_.given());

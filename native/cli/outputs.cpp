@@ -16,12 +16,19 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-// "svg" of "a/b.SVG"; empty where there is none.
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return extension;
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return text;
+}
+
+// The kind in a name: "svg" of "a/b.SVG", "bom.csv" of "a.bom.csv" where the technique has such a kind; empty where
+// there is none.
+std::string extension_of(const std::string& path, const Technique& technique) {
+  const std::string name = lower(std::filesystem::path(path).filename().string());
+  for (std::size_t dot = name.find('.', 1); dot != std::string::npos; dot = name.find('.', dot + 1))
+    if (contains(technique.formats, name.substr(dot + 1))) return name.substr(dot + 1);
+  const std::string extension = lower(std::filesystem::path(path).extension().string());
+  return extension.empty() ? "" : extension.substr(1);
 }
 
 // Empty, or what is wrong with a kind.
@@ -61,7 +68,7 @@ std::vector<std::string> plan_formats(const Settings& settings, const Job& job, 
   }
   std::vector<std::string> formats;
   for (const std::string& path : settings.outputs) {
-    const std::string extension = extension_of(path);
+    const std::string extension = extension_of(path, technique);
     formats.push_back(extension.empty() ? settings.format : extension);
     if (std::string trouble = format_trouble(formats.back(), technique); !trouble.empty()) {
       refuse(path, std::move(trouble));

@@ -26,7 +26,7 @@ struct Canvas {
 };
 
 double distance_to(const Site& site, double x, double y, Metric metric) {
-  if (metric == Metric::kFrustum) return FrustumDistance(site).at(x, y).distance;
+  if (metric == Metric::kFrustum) return SiteDistance(site, metric).at(x, y).distance;
   const double dx = x - site.x, dy = y - site.y, c = std::cos(site.angle), s = std::sin(site.angle);
   return std::max(std::fabs(c * dx + s * dy) / site.extent_u, std::fabs(c * dy - s * dx) / site.extent_v);
 }

@@ -1,0 +1,215 @@
+#include "tessera/mosaic/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "tessera/base/portable_math.h"
+#include "tessera/image/edges.h"
+#include "tessera/mosaic/regions.h"
+
+namespace tessera::mosaic {
+namespace {
+
+constexpr double kNodesPerSide = 3;    // of the coarse grids, a tile's side
+constexpr double kSmallestSide = 2.5;  // px
+
+// [1 2 1] / 4 in both directions, `rounds` times: a Gaussian of sqrt(rounds / 2) nodes. Written out, since a
+// library's order of sums differs between machines.
+template <class T>
+void smooth(cv::Mat_<T>& nodes, int rounds) {
+  cv::Mat_<T> other(nodes.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (int y = 0; y < nodes.rows; ++y)
+      for (int x = 0; x < nodes.cols; ++x)
+        other(y, x) =
+            (nodes(y, std::max(0, x - 1)) + nodes(y, std::min(nodes.cols - 1, x + 1)) + nodes(y, x) * 2.0f) * 0.25f;
+    for (int y = 0; y < nodes.rows; ++y)
+      for (int x = 0; x < nodes.cols; ++x)
+        nodes(y, x) =
+            (other(std::max(0, y - 1), x) + other(std::min(nodes.rows - 1, y + 1), x) + other(y, x) * 2.0f) * 0.25f;
+  }
+}
+
+cv::Mat3b fitted(const ImageView& picture, cv::Size size) {
+  cv::Mat3b out;
+  cv::resize(picture.mat(), out, size, 0, 0, cv::INTER_NEAREST);
+  return out;
+}
+
+// The user's edges: whatever is on the rarer side of Otsu's threshold.
+cv::Mat1b drawn_edges(const ImageView& picture, cv::Size size) {
+  cv::Mat1b grey, edges;
+  cv::cvtColor(fitted(picture, size), grey, cv::COLOR_RGB2GRAY);
+  double least, most;
+  cv::minMaxLoc(grey, &least, &most);
+  if (most - least < 16) return cv::Mat1b::zeros(size);
+  cv::threshold(grey, edges, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
+  if (2 * cv::countNonZero(edges) > static_cast<int>(edges.total())) cv::bitwise_not(edges, edges);
+  return edges;
+}
+
+cv::Mat1b edges_of(const Pictures& pictures, const Params& params, double side) {
+  const cv::Size size(pictures.photo.width, pictures.photo.height);
+  if (pictures.edges.pixels) return drawn_edges(pictures.edges, size);
+  if (params.edge_share == 0) return cv::Mat1b::zeros(size);
+  return find_edges(pictures.photo.mat(), {.sigma = std::clamp(params.edge_detail * side, 0.6, 8.0),
+                                           .share = params.edge_share,
+                                           .shortest = std::max(6.0, 2.5 * side)});
+}
+
+// (x + i y)^4 of a unit vector: cosine and sine of four times its angle.
+cv::Vec2f fourfold(double x, double y) {
+  const double c = x * x - y * y, s = 2 * x * y;
+  return {static_cast<float>(c * c - s * s), static_cast<float>(2 * c * s)};
+}
+
+DirectionField given_direction(const ImageView& picture, cv::Size size, double step) {
+  const cv::Mat3b angles = fitted(picture, size);
+  DirectionField field(size, step);
+  cv::Mat2f& nodes = field.nodes();
+  for (int j = 0; j < nodes.rows; ++j)
+    for (int i = 0; i < nodes.cols; ++i) {
+      const int x = std::min(size.width - 1, static_cast<int>(i * step)),
+                y = std::min(size.height - 1, static_cast<int>(j * step));
+      const SinCos turn = sin_cos(angles(y, x)[1] * (kPi / 255));
+      nodes(j, i) = fourfold(turn.cos, turn.sin);
+    }
+  return field;
+}
+
+// The gradient of the distance to the edges (4), evened out: near an edge it stays, between edges it gives way to
+// what lies around, so that no seam is left where two edges' realms meet.
+DirectionField direction_of(const Fields& fields, const Params& params, double step) {
+  DirectionField field(fields.size, step);
+  cv::Mat2f& nodes = field.nodes();
+  cv::Mat2f target(nodes.size(), cv::Vec2f(0, 0));
+  cv::Mat1f weight(nodes.size(), 0.0f);
+  const int reach = std::max(1, static_cast<int>(step / 2));
+  for (int j = 0; j < nodes.rows; ++j)
+    for (int i = 0; i < nodes.cols; ++i) {
+      const double x = std::min<double>(i * step, fields.size.width - 1),
+                   y = std::min<double>(j * step, fields.size.height - 1);
+      const cv::Vec2d up = tessera::uphill(fields.distance, x, y, reach);
+      if (up[0] == 0 && up[1] == 0) continue;
+      const double away = fields.distance(static_cast<int>(y), static_cast<int>(x)) / fields.side(x, y);
+      target(j, i) = fourfold(up[0], up[1]);
+      weight(j, i) = static_cast<float>(1 / (0.25 + away * away));
+    }
+  for (int j = 0; j < nodes.rows; ++j)
+    for (int i = 0; i < nodes.cols; ++i) nodes(j, i) = target(j, i) * weight(j, i);
+  smooth(nodes, 2);
+  const float give = static_cast<float>(params.smoothing);
+  const int rounds = params.smoothing > 0 ? 60 : 0;
+  for (int round = 0; round < rounds; ++round)
+    for (int j = 0; j < nodes.rows; ++j)
+      for (int i = 0; i < nodes.cols; ++i) {
+        const cv::Vec2f around = (nodes(std::max(0, j - 1), i) + nodes(std::min(nodes.rows - 1, j + 1), i) +
+                                  nodes(j, std::max(0, i - 1)) + nodes(j, std::min(nodes.cols - 1, i + 1))) *
+                                 0.25f;
+        nodes(j, i) = (target(j, i) * weight(j, i) + around * give) * (1 / (weight(j, i) + give + 1e-6f));
+      }
+  // Nothing said anything: rows lie along the picture's sides.
+  for (cv::Vec2f& v : nodes)
+    if (v.dot(v) < 1e-12f) v = {1, 0};
+  return field;
+}
+
+// How much happens around each node: the mean length of the picture's gradient.
+cv::Mat1f detail_of(const cv::Mat3b& photo, cv::Size nodes, double step) {
+  cv::Mat3b soft;
+  cv::GaussianBlur(photo, soft, {3, 3}, 0, 0, cv::BORDER_REPLICATE);
+  cv::Mat1b grey;
+  cv::cvtColor(soft, grey, cv::COLOR_RGB2GRAY);
+  cv::Mat1f sum(nodes, 0.0f), count(nodes, 0.0f);
+  for (int y = 0; y < grey.rows; ++y) {
+    const std::uint8_t *row = grey[y], *below = grey[std::min(y + 1, grey.rows - 1)];
+    float* target = sum[std::min(nodes.height - 1, static_cast<int>(y / step + 0.5))];
+    float* pixels = count[std::min(nodes.height - 1, static_cast<int>(y / step + 0.5))];
+    for (int x = 0; x < grey.cols; ++x) {
+      const int i = static_cast<int>(x / step + 0.5);
+      const int dx = row[std::min(x + 1, grey.cols - 1)] - row[x], dy = below[x] - row[x];
+      target[i] += static_cast<float>(std::abs(dx) + std::abs(dy));
+      pixels[i] += 1;
+    }
+  }
+  for (int j = 0; j < nodes.height; ++j)
+    for (int i = 0; i < nodes.width; ++i) sum(j, i) = count(j, i) > 0 ? sum(j, i) / count(j, i) : 0;
+  return sum;
+}
+
+// x^(5/8) by square roots, which are the same everywhere: how fast tiles get smaller as detail grows.
+double five_eighths_power(double x) {
+  const double root = std::sqrt(x);
+  return root * std::sqrt(std::sqrt(root));
+}
+
+// 5.2: sides that follow the detail, smallest to largest as 1 to params.variation.
+cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, cv::Size nodes, double step) {
+  cv::Mat1f detail = detail_of(photo.mat(), nodes, step);
+  smooth(detail, 4);
+  double mean = 0;
+  for (const float v : detail) mean += v;
+  mean = mean / static_cast<double>(detail.total()) + 0.5;
+  const double widest = std::sqrt(params.variation);
+  cv::Mat1f sizes(nodes);
+  for (int j = 0; j < nodes.height; ++j)
+    for (int i = 0; i < nodes.width; ++i)
+      sizes(j, i) = static_cast<float>(
+          std::clamp(1 / five_eighths_power((detail(j, i) + 0.1 * mean) / (1.1 * mean)), 1 / widest, widest));
+  smooth(sizes, 6);
+  return sizes;
+}
+
+cv::Mat1f sizes_of(const Pictures& pictures, const Params& params, cv::Size nodes, double step) {
+  if (pictures.regions.pixels) {
+    cv::Mat1f sizes = region_sizes(fitted(pictures.regions, {pictures.photo.width, pictures.photo.height}),
+                                   params.region_sizes, nodes, step);
+    smooth(sizes, 2);
+    return sizes;
+  }
+  if (params.variation == 1) return {nodes, 1.0f};
+  return automatic_sizes(pictures.photo, params, nodes, step);
+}
+
+}  // namespace
+
+double Fields::side(double x, double y) const {
+  const double u = std::clamp(x / step, 0.0, sides.cols - 1.001), v = std::clamp(y / step, 0.0, sides.rows - 1.001);
+  const int i = static_cast<int>(u), j = static_cast<int>(v);
+  const double s = u - i, t = v - j;
+  return (1 - t) * ((1 - s) * sides(j, i) + s * sides(j, i + 1)) +
+         t * ((1 - s) * sides(j + 1, i) + s * sides(j + 1, i + 1));
+}
+
+Point Fields::inside(Point p) const {
+  return {std::clamp<double>(p.x, 0, size.width), std::clamp<double>(p.y, 0, size.height)};
+}
+
+Point Fields::uphill(Point p) const {
+  const cv::Vec2d up = tessera::uphill(distance, p.x, p.y, std::max(1, static_cast<int>(side(p.x, p.y) / 6)));
+  return {up[0], up[1]};
+}
+
+void scale_sides(Fields& fields, double factor) {
+  for (float& v : fields.sides) v = static_cast<float>(std::max(kSmallestSide, v * factor));
+}
+
+Fields make_fields(const Pictures& pictures, const Params& params, double side) {
+  Fields fields;
+  fields.size = {pictures.photo.width, pictures.photo.height};
+  fields.edges = edges_of(pictures, params, side);
+  fields.distance = edge_distance(fields.edges);
+  fields.step = std::max(1.0, side / kNodesPerSide);
+  const cv::Size nodes = DirectionField(fields.size, fields.step).nodes().size();
+  fields.sides = sizes_of(pictures, params, nodes, fields.step);
+  // As many tiles fit as squares of the average side would: the mean of 1 / side^2 is what counts.
+  double tiles = 0;
+  for (const float v : fields.sides) tiles += 1.0 / (static_cast<double>(v) * v);
+  scale_sides(fields, side * std::sqrt(tiles / static_cast<double>(fields.sides.total())));
+  fields.direction = pictures.direction.pixels ? given_direction(pictures.direction, fields.size, fields.step)
+                                               : direction_of(fields, params, fields.step);
+  return fields;
+}
+
+}  // namespace tessera::mosaic

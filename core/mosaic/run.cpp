@@ -1,0 +1,77 @@
+#include "tessera/mosaic/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tessera/mosaic/colours.h"
+#include "tessera/mosaic/diagram.h"
+#include "tessera/mosaic/measures.h"
+#include "tessera/mosaic/sites.h"
+#include "tessera/mosaic/tiles.h"
+
+namespace tessera::mosaic {
+namespace {
+
+constexpr double kLeastArea = 0.05;     // px^2: what is left of a tile that is none
+constexpr double kPixelsPerTile = 6.5;  // no tile is smaller on average
+
+// 5.2: the side of n squares that cover the picture.
+double mean_side(const ImageView& photo, int tiles) {
+  const double pixels = static_cast<double>(photo.width) * photo.height;
+  return std::sqrt(pixels / std::min<double>(tiles, std::max(1.0, pixels / kPixelsPerTile)));
+}
+
+// Colour and a place on the sheet; cells that are no tiles are left out.
+void lay_tiles(std::vector<Ring> rings, const ImageView& photo, const Params& params, Output& output) {
+  std::erase_if(rings, [](const Ring& ring) { return ring.size() < 3 || std::fabs(signed_area(ring)) < kLeastArea; });
+  std::vector<Rgb> colours = tile_colours(photo, rings, params.sample);
+  output.sheet.materials = limit_colours(params.palette, colours);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    output.areas.push_back(std::fabs(signed_area(rings[i])));
+    output.sheet.pieces.push_back({static_cast<int>(i) + 1, {std::move(rings[i]), {}}, colours[i]});
+  }
+}
+
+}  // namespace
+
+Result<Output> run(const Pictures& pictures, const Params& params, std::uint64_t seed, Rasterizer& rasterizer,
+                   const RunContext& context, const IterationObserver& observer) {
+  const ImageView& photo = pictures.photo;
+  if (photo.width < 1 || photo.height < 1)
+    return fail(StatusCode::kInvalidInput, "photo", "has no pixels; expected at least 1 x 1");
+
+  context.stage("fields");
+  Fields fields = make_fields(pictures, params, mean_side(photo, params.tiles));
+  context.progress(0.08);
+
+  context.stage("sites");
+  Sites sites = params.style == Style::kHausner ? random_sites(fields, params, seed) : rows_of_sites(fields, params);
+  if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
+  context.progress(0.15);
+
+  context.stage("diagram");
+  Result<Diagram> diagram = relax_diagram(std::move(sites), fields, params, rasterizer, context, observer);
+  if (!diagram) return tl::unexpected(diagram.error());
+
+  context.stage("tiles");
+  std::vector<Ring> rings = shape_tiles(*diagram, fields, params);
+  if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
+  context.progress(0.9);
+
+  Output output;
+  output.iterations = diagram->iterations;
+  output.reseeded = diagram->reseeded;
+  output.sheet.kind = "tile";
+  output.sheet.layer = "tiles";
+  output.sheet.width = photo.width;
+  output.sheet.height = photo.height;
+  output.sheet.width_mm = params.width_mm;
+  output.sheet.grout = {150, 146, 138};
+  lay_tiles(std::move(rings), photo, params, output);
+  measure_tiles(fields, output);
+  context.progress(1);
+  return output;
+}
+
+}  // namespace tessera::mosaic
