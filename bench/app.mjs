@@ -16,6 +16,7 @@ import { serve } from '../tests/e2e/browser/serve.mjs';
 const drawing = process.argv[2] ?? join(root, 'public/samples/waves.png');
 const site = join(root, 'web/dist');
 const kRuns = 7;
+const kRounds = 4; // of native and Chromium in turn
 const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 const say = (what, value) => console.log(`${what.padEnd(58)} ${value}`);
 
@@ -40,7 +41,7 @@ function native(threads) {
     return stages.filter(({ name }) => ['fields', 'diagram', 'stones', 'format'].includes(name)).reduce((sum, { ms }) => sum + ms, 0);
   });
   rmSync(folder, { recursive: true });
-  return median(times);
+  return Math.min(...times);
 }
 
 /** The same in a worker of Chromium, without the page around it. */
@@ -61,7 +62,7 @@ async function inBrowser(browser, threads) {
   );
   await page.close();
   await host.stop();
-  return median(times.slice(1));
+  return Math.min(...times.slice(1));
 }
 
 /**
@@ -144,8 +145,12 @@ say('engine ready', figure('engine'));
 say('first stones', figure('stones'));
 say('the page stood still at most, while a job ran (0: < 50)', figure('still'));
 for (const threads of [1, 2]) {
-  const there = await inBrowser(browser, threads);
-  const here = native(threads);
+  // In turn, and the best of each: what else the machine does should not count for one of them alone.
+  let [there, here] = [Infinity, Infinity];
+  for (let round = 0; round < kRounds; ++round) {
+    there = Math.min(there, await inBrowser(browser, threads));
+    here = Math.min(here, native(threads));
+  }
   say(`${threads} thread(s): Chromium, native, ratio`, `${there.toFixed(0)} ms, ${here.toFixed(0)} ms, ${(there / here).toFixed(2)}`);
 }
 await browser.close();
