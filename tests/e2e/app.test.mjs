@@ -146,6 +146,30 @@ test('parameters are undone, redone and kept in the address', async () => {
   });
 });
 
+test('the page can be used before the engine is there', async () => {
+  await withApp({ isolated: true }, async (app, page) => {
+    let release;
+    const held = new Promise((go) => (release = go));
+    await page.route('**/*.wasm', async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.reload();
+    const bar = page.locator('.bar');
+    await bar.getByText('Loading the engine').waitFor(); // the sample waits for it
+    await app.button('Cancel').click();
+    await bar.getByText('Cancelled').first().waitFor();
+    await app.set('Half side', 9);
+    await app.set('Half side', 7);
+    await app.button('Generate').click();
+    await bar.getByText('Loading the engine').waitFor();
+    assert.equal(await app.threads(), 0);
+    release();
+    await app.finished();
+    assert.equal(JSON.parse((await app.download('job')).text).params.halfSide, 7);
+  });
+});
+
 test('a value out of range is told at its field', async () => {
   await withApp({ isolated: true }, async (app, page) => {
     await app.finished();

@@ -1,5 +1,5 @@
-// Puts the package together in dist/: the engine that CMake has built, types of the parameters from its own schema, and
-// the compiled sources.
+// Puts the package together in dist/: the engine that CMake has built, what it says of itself (techniques, parameters and
+// their types), and the compiled sources.
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -24,10 +24,17 @@ function copyEngine() {
   }
 }
 
-/** One interface a technique: PavementParameters. */
-async function parameterTypes() {
+async function loadEngine() {
   const wasmBinary = readFileSync(`${engine}/tessera-single.wasm`);
-  const core = await createRequire(import.meta.url)(`${engine}/tessera-single.js`)({ wasmBinary });
+  return createRequire(import.meta.url)(`${engine}/tessera-single.js`)({ wasmBinary });
+}
+
+/** A source that is not kept in the repository. */
+const write = (name, text) =>
+  writeFileSync(`${here}src/${name}.ts`, `// Made from the core by build.mjs; not kept in the repository.\n\n${text}`);
+
+/** One interface a technique: PavementParameters. */
+async function writeParameterTypes(core) {
   const schema = JSON.parse(core.schema());
   const texts = Object.entries(schema.$defs).map(([technique, params]) => {
     const name = `${technique[0].toUpperCase()}${technique.slice(1)}Parameters`;
@@ -35,12 +42,21 @@ async function parameterTypes() {
     for (const parameter of Object.values(titled.properties)) delete parameter.title;
     return compile(titled, name, { bannerComment: '', additionalProperties: false, format: true });
   });
-  writeFileSync(
-    `${here}src/parameters.ts`,
-    `// Made from the core's schema by build.mjs; not kept in the repository.\n\n${(await Promise.all(texts)).join('\n')}`,
-  );
+  write('parameters', (await Promise.all(texts)).join('\n'));
+}
+
+/** What a form can be made of before the engine is there. */
+function writeDescription(core) {
+  const constants = [
+    `export const version: string = ${JSON.stringify(core.version())};`,
+    `export const schema: JobSchema = ${core.schema()};`,
+    `export const techniques: Technique[] = ${core.techniques()};`,
+  ];
+  write('description', ["import type { JobSchema, Technique } from './api.js';", '', ...constants, ''].join('\n'));
 }
 
 copyEngine();
-await parameterTypes();
+const core = await loadEngine();
+await writeParameterTypes(core);
+writeDescription(core);
 execFileSync('npx', ['tsc', '--project', here], { stdio: 'inherit' });

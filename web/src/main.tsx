@@ -1,4 +1,4 @@
-import { effect, untracked } from '@preact/signals';
+import { effect } from '@preact/signals';
 import { render } from 'preact';
 import './style/base.css';
 import './style/layout.css';
@@ -8,7 +8,7 @@ import './style/phone.css';
 import { bindViewport } from './stage/viewport';
 import { bindAddress, openAddress } from './state/address';
 import { bindKeys } from './state/keys';
-import { engine, graphics } from './state/store';
+import { engine, graphics, outcome } from './state/store';
 import { bindTheme } from './state/theme';
 import { App } from './ui/App';
 import type { Graphics } from './worker/protocol';
@@ -29,19 +29,16 @@ bindTheme();
 bindViewport();
 bindKeys();
 
+void openAddress().then(bindAddress);
+
 const root = document.getElementById('app');
 if (root) render(<App />, root);
 
-let opened = false;
-effect(() => {
-  const { value: info } = engine;
-  if (!info) return;
-  if (opened) return; // an engine that came up after another was stopped
-  opened = true;
-  void untracked(openAddress).then(bindAddress);
-});
-
-// After the first stones, so as not to compete with them for the line.
+// After the first stones, so as not to compete with them for the line and the processor.
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
-  addEventListener('load', () => setTimeout(() => void navigator.serviceWorker.register('./sw.js'), 2000));
+  const done = effect(() => {
+    if (!outcome.value) return;
+    void navigator.serviceWorker.register('./sw.js');
+    done();
+  });
 }

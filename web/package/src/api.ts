@@ -46,8 +46,15 @@ export interface ParameterSchema {
   'x-advanced'?: boolean;
 }
 
+export interface TechniqueSchema {
+  title: string;
+  description: string;
+  properties: Record<string, ParameterSchema>;
+  [word: string]: unknown;
+}
+
 export interface JobSchema {
-  $defs: Record<string, { title: string; description: string; properties: Record<string, ParameterSchema> }>;
+  $defs: Record<string, TechniqueSchema>;
   [word: string]: unknown;
 }
 
@@ -146,4 +153,6 @@ export interface TesseraOptions {
   threads?: number;
   /** Where the package's files are ("tessera-single.wasm"), if not beside this module. */
   locateFile?: (name: string) => string;
+  /** The build's .wasm, if it is compiled already: "tessera-threads.wasm", or "tessera-single.wasm" for one thread. */
+  wasm?: WebAssembly.Module | undefined;
 }

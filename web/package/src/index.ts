@@ -81,6 +81,17 @@ async function filesOf(variant: Variant, locateFile: TesseraOptions['locateFile'
   return new Map(names.map((name, i) => [name, places[i]!]));
 }
 
+/** Emscripten's hook, for a module that is compiled already. */
+const instantiate = (wasm: WebAssembly.Module) => ({
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance, wasm: WebAssembly.Module) => void,
+  ) {
+    void WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm));
+    return {};
+  },
+});
+
 /** All the threads there are, where the page may use shared memory. */
 function availableThreads(): number {
   if (!inNode && !globalThis.crossOriginIsolated) return 1;
@@ -96,6 +107,7 @@ export async function createTessera(options: TesseraOptions = {}): Promise<Tesse
   const factory = await (inNode ? nodeFactory(script) : browserFactory(files.get(`tessera-${variant}.mjs`)!));
   const module = await factory({
     ...(inNode && { wasmBinary: await readInNode(files.get(`tessera-${variant}.wasm`)!) }), // fetch() knows no paths
+    ...(options.wasm && instantiate(options.wasm)),
     poolSize: threads,
     mainScriptUrlOrBlob: script, // what the threads' workers load
     locateFile: (name: string) => files.get(name) ?? name,

@@ -159,6 +159,8 @@ export class Scene {
     if (!bitmap) return;
     this.overPicture(context, () => {
       context.globalAlpha = alpha;
+      context.fillStyle = '#fff'; // what is transparent counts as white
+      context.fillRect(0, 0, 1, 1);
       context.drawImage(bitmap, 0, 0, 1, 1);
     });
   }

@@ -1,6 +1,7 @@
 // Keeps the address bar and the state alike.
 
 import { effect } from '@preact/signals';
+import { schema } from 'tessera-wasm/description';
 import { entryOf } from '../techniques/index';
 import { changeParams } from './edits';
 import { parseValue, type Params } from './form';
@@ -8,15 +9,15 @@ import { readHash, writeHash, type Address } from './hash';
 import { sampleNamed, useSample } from './pictures';
 import { historyOf } from './history';
 import { runSoon } from './runner';
-import { alertWith, edits, engine, fields, params, picture, seed, technique } from './store';
+import { alertWith, edits, fields, params, picture, seed, technique } from './store';
 
 const kPause = 250; // ms; browsers refuse a page that writes the address at every step of a slider
 
-/** The job that the address names, or the first sample with all defaults. Needs the engine's schema. */
+/** The job that the address names, or the first sample with all defaults. */
 export async function openAddress(): Promise<void> {
   const address = readHash(location.hash);
   const name = address.technique ?? technique.value;
-  if (entryOf(name) && engine.value?.schema.$defs[name]) technique.value = name;
+  if (entryOf(name) && schema.$defs[name]) technique.value = name;
   const { known, foreign } = paramsOf(address);
   const sample = sampleNamed(address.sample) ?? sampleNamed('waves');
   const fresh = location.hash === '';

@@ -1,4 +1,6 @@
-// The page's end of the engine's worker: starts it, asks it, stops it, and starts another where it does not stop.
+// The page's end of the engine's worker: starts it, asks it, stops it, and starts another where it does not stop. The
+// worker opens pictures from the first moment on; the engine is downloaded meanwhile, but starts only when something is
+// asked of it: that takes all the cores of a small machine, which the page and its first picture need before.
 
 import type { Job, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
@@ -6,6 +8,7 @@ import type { EngineInfo, FromEngine, Graphics, RunRequest, ToEngine, ToPainter 
 
 // ms that a run may take to stop. The page shows it as cancelled at once; a fresh engine would take longer than this.
 const kPatience = 300;
+const kPaintPatience = 1000; // ms; in a tab that is not seen nothing is painted
 const kMaxThreads = 8;
 
 export interface RunEvents {
@@ -22,18 +25,31 @@ export type RunEnd =
   | { kind: 'cancelled' };
 
 type Answer = Extract<FromEngine, { id: number }>;
+type Question = Extract<ToEngine, { id: number }>;
+
+interface Picture {
+  role: string;
+  name: string;
+  blob: Blob;
+}
 
 export class EngineClient {
   private worker!: Worker;
   private stopFlag: Int32Array | null = null;
-  private ready!: Promise<EngineInfo>;
   private threads = globalThis.crossOriginIsolated ? Math.min(navigator.hardwareConcurrency || 1, kMaxThreads) : 1;
   private graphics: Graphics | null = null;
+  private state: 'idle' | 'booting' | 'up' | 'broken' = 'idle';
+  private download = this.fetchEngine();
+  private wasm: Promise<WebAssembly.Module | undefined> | null = null;
+  /** What is asked of the engine before it is up. */
+  private queue: Question[] = [];
   private nextId = 1;
   private last = 0; // run
   private stopping: Promise<void> | null = null;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
-  private kept: { role: string; name: string; blob: Blob } | null = null;
+  private kept: Picture | null = null;
+  /** Pictures that the worker is about to open, by the question's number. */
+  private readonly opening = new Map<number, Picture>();
   private running: { id: number; end: (end: RunEnd) => void; stopped: () => void } | null = null;
 
   constructor(
@@ -41,6 +57,7 @@ export class EngineClient {
     /** Called for each engine that came up, the first and those after a stop by force. */
     private readonly onReady: (info: EngineInfo) => void,
     private readonly onGraphics: (graphics: Graphics) => void,
+    /** With a sentence for people. */
     private readonly onBroken: (message: string) => void,
   ) {
     this.start();
@@ -50,48 +67,83 @@ export class EngineClient {
     const { port1, port2 } = new MessageChannel();
     this.worker = new EngineWorker({ name: 'engine' });
     this.stopFlag = null;
+    this.state = 'idle';
     this.painter.postMessage({ type: 'engine', port: port2 }, [port2]);
-    const { threads, graphics } = this;
-    this.send({ type: 'boot', base: document.baseURI, threads, graphics, painter: port1 }, [port1]);
-    this.ready = new Promise((resolve) => {
-      const { worker } = this;
-      worker.onmessage = ({ data }: MessageEvent<FromEngine>) => {
-        if (data.type === 'ready') {
-          this.stopFlag = data.stopFlag;
-          this.onReady(data.info);
-          resolve(data.info);
-        } else if (data.type === 'graphics') {
-          this.graphics = data.graphics;
-          this.onGraphics(data.graphics);
-        } else if (data.type === 'broken') {
-          this.breakDown(data.message);
-        } else {
-          this.waiting.get(data.id)?.(data);
-        }
-      };
-      worker.onerror = (event) => this.breakDown(event.message ?? '');
-    });
+    this.send({ type: 'painter', port: port1 }, [port1]);
+    this.worker.onmessage = ({ data }: MessageEvent<FromEngine>) => {
+      if (data.type === 'ready') {
+        this.state = 'up';
+        this.stopFlag = data.stopFlag;
+        this.onReady(data.info);
+        for (const question of this.queue.splice(0)) this.send(question);
+      } else if (data.type === 'graphics') {
+        this.graphics = data.graphics;
+        this.onGraphics(data.graphics);
+      } else if (data.type === 'broken') {
+        this.breakDown(data.message);
+      } else {
+        this.waiting.get(data.id)?.(data);
+      }
+    };
+    this.worker.onerror = (event) => this.breakDown(event.message ?? '');
+  }
+
+  private fetchEngine(): Promise<Response> {
+    const response = fetch(`engine/tessera-${this.threads > 1 ? 'threads' : 'single'}.wasm`, { priority: 'low' });
+    response.catch(() => {}); // boot() will see
+    return response;
+  }
+
+  private async boot(): Promise<void> {
+    const { worker, threads, graphics } = this;
+    this.state = 'booting';
+    await Promise.race([painted(), after(kPaintPatience)]);
+    // Compiled once for all workers. Where that fails, the engine tries in its own way and says what is wrong.
+    this.wasm ??= WebAssembly.compileStreaming(this.download).catch(() => undefined);
+    const wasm = await this.wasm;
+    worker.postMessage({ type: 'boot', base: document.baseURI, threads, wasm, graphics } satisfies ToEngine);
   }
 
   /** Threads can fail where a single one works: too little memory, a worker that a policy forbids. */
   private breakDown(message: string): void {
+    if (this.threads > 1) {
+      this.threads = 1;
+      this.download = this.fetchEngine();
+      this.wasm = null;
+      return this.restart();
+    }
     this.worker.terminate();
-    if (this.threads === 1) return this.onBroken(message);
-    this.threads = 1;
-    this.restart();
+    this.state = 'broken';
+    const sentence =
+      `The engine cannot start: ${message || 'its files did not load'}. It needs WebAssembly with SIMD, which every ` +
+      'browser since 2023 has; update yours, or load the page again.';
+    this.giveUp(sentence);
+    this.onBroken(sentence);
   }
 
-  /** A fresh engine with the same picture. */
+  /** A fresh engine with the same picture. What was going on in the old one is over; what waited for it waits on. */
   restart(): void {
     this.worker.terminate();
+    if (this.state === 'up') this.giveUp('It was interrupted. Try again.');
+    this.start();
+    if (this.queue.length || this.kept) void this.boot();
+    if (this.kept) this.send({ type: 'picture', id: this.nextId++, ...this.kept });
+    for (const [id, picture] of this.opening) this.send({ type: 'picture', id, ...picture });
+  }
+
+  private giveUp(message: string): void {
     this.running?.end({ kind: 'cancelled' });
     this.running = null;
-    for (const [id, answer] of this.waiting)
-      answer({ type: 'refused', id, message: 'It was interrupted. Try again.' });
+    for (const [id, answer] of this.waiting) answer({ type: 'refused', id, message });
     this.waiting.clear();
-    this.start();
-    const { kept } = this;
-    if (kept) this.ready = this.ready.then((info) => this.hand(kept).then(() => info));
+    this.queue = [];
+  }
+
+  private ask(question: Question): void {
+    if (this.state === 'up') return this.send(question);
+    this.queue.push(question);
+    if (this.state === 'idle') void this.boot();
+    if (this.state === 'broken') this.restart(); // what failed may work by now
   }
 
   private send(message: ToEngine, transfer: Transferable[] = []): void {
@@ -99,27 +151,28 @@ export class EngineClient {
   }
 
   /** The picture for the runs that follow; rejects with a message for people where it cannot be used. */
-  async setPicture(role: string, name: string, blob: Blob): Promise<{ width: number; height: number }> {
-    const size = await this.hand({ role, name, blob });
-    this.kept = { role, name, blob };
-    return size;
-  }
-
-  private hand(picture: { role: string; name: string; blob: Blob }): Promise<{ width: number; height: number }> {
+  setPicture(role: string, name: string, blob: Blob): Promise<{ width: number; height: number }> {
+    const picture = { role, name, blob };
     const id = this.nextId++;
     return new Promise((resolve, reject) => {
+      this.opening.set(id, picture);
       this.waiting.set(id, (answer) => {
         this.waiting.delete(id);
-        if (answer.type === 'picture') resolve(answer);
-        else reject(new Error(answer.type === 'refused' ? answer.message : 'The picture cannot be read.'));
+        this.opening.delete(id);
+        if (answer.type === 'picture') {
+          this.kept = picture;
+          resolve(answer);
+        } else {
+          reject(new Error(answer.type === 'refused' ? answer.message : 'The picture cannot be read.'));
+        }
       });
-      this.send({ type: 'picture', id, ...picture });
+      if (this.state === 'broken') this.restart();
+      else this.send({ type: 'picture', id, ...picture });
     });
   }
 
   /** A job from its JSON or from an SVG with one in it. */
-  async readJob(text: string): Promise<Job | readonly Problem[]> {
-    await this.ready;
+  readJob(text: string): Promise<Job | readonly Problem[]> {
     const id = this.nextId++;
     return new Promise((resolve) => {
       this.waiting.set(id, (answer) => {
@@ -128,13 +181,12 @@ export class EngineClient {
         else if (answer.type === 'problems') resolve(answer.problems);
         else if (answer.type === 'refused') resolve([{ code: 'internal', field: '', message: answer.message }]);
       });
-      this.send({ type: 'read', id, text });
+      this.ask({ type: 'read', id, text });
     });
   }
 
   /** Files may still come after the end; the next run or a cancel is the end of them. */
-  async run(request: RunRequest, events: RunEvents): Promise<RunEnd> {
-    await this.ready;
+  run(request: RunRequest, events: RunEvents): Promise<RunEnd> {
     // Files of an earlier run that are still on their way are not wanted any more.
     this.waiting.delete(this.last);
     const id = (this.last = this.nextId++);
@@ -164,7 +216,7 @@ export class EngineClient {
             if (!over) end(answer.type === 'done' ? { kind: 'done', ...answer } : { kind: 'problems', ...answer });
         }
       });
-      this.send({ type: 'run', id, request });
+      this.ask({ type: 'run', id, request });
     });
   }
 
@@ -178,6 +230,11 @@ export class EngineClient {
     const { running, stopFlag } = this;
     if (!running) return;
     running.end({ kind: 'cancelled' });
+    if (this.state !== 'up') {
+      this.queue = this.queue.filter(({ id }) => id !== running.id);
+      this.running = null;
+      return;
+    }
     this.painter.postMessage({ type: 'drop', upTo: running.id });
     if (!stopFlag) return this.restart();
     const stopped = new Promise<true>((resolve) => (running.stopped = () => resolve(true)));
@@ -190,6 +247,10 @@ export class EngineClient {
     this.restart();
   }
 }
+
+/** Once the page shows what it has by now. */
+const painted = () =>
+  new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve())));
 
 const after = (milliseconds: number) =>
   new Promise<false>((resolve) => setTimeout(() => resolve(false), milliseconds));

@@ -16,9 +16,5 @@ export const client = new EngineClient(
   painter,
   (info) => (engine.value = info),
   (found) => (graphics.value = found),
-  (message) =>
-    alertWith(
-      `The engine cannot start: ${message || 'its files did not load'}. It needs WebAssembly with SIMD, which every ` +
-        'browser since 2023 has; update yours, or load the page again.',
-    ),
+  alertWith,
 );

@@ -2,7 +2,7 @@
 
 import { client } from './page';
 import { forgetOutcome, generate, prepare, stop } from './runner';
-import { alertWith, edits, entry, inputRole, picture, run, type PictureInfo } from './store';
+import { alertWith, edits, entry, inputRole, opening, picture, run, type PictureInfo } from './store';
 import { changeParams } from './edits';
 import type { Sample } from '../techniques/entry';
 
@@ -12,11 +12,14 @@ export const isJobFile = (file: File) => /\.(json|svg)$/i.test(file.name) || /js
 let newest = 0;
 
 /** True where the picture was taken and is to run; else an alert says why not, and everything stays as it was. */
-async function take(blob: Blob, name: string, sample: string | null): Promise<boolean> {
+async function take(fetched: Blob | Promise<Blob>, name: string, sample: string | null): Promise<boolean> {
   const mine = ++newest;
-  await stop();
+  opening.value = true;
+  const stopped = stop();
   prepare('picture');
   try {
+    const [blob] = await Promise.all([fetched, stopped]);
+    if (mine !== newest) return false;
     const size = await client.setPicture(inputRole.value, name, blob);
     if (mine !== newest) return false;
     const old = picture.value;
@@ -29,6 +32,8 @@ async function take(blob: Blob, name: string, sample: string | null): Promise<bo
       alertWith(error instanceof Error ? error.message : String(error));
     }
     return false;
+  } finally {
+    if (mine === newest) opening.value = false;
   }
 }
 
@@ -39,17 +44,19 @@ export async function usePicture(blob: Blob, name: string): Promise<void> {
 /** What a sample wants comes with it, and goes with it: four colours for a picture in four. */
 export async function useSample(sample: Sample, keepParams = false): Promise<void> {
   const name = sample.file.slice(sample.file.lastIndexOf('/') + 1);
-  try {
-    const response = await fetch(sample.file);
-    if (!response.ok) throw new Error(String(response.status));
-    if (!(await take(await response.blob(), name, sample.name))) return;
-  } catch {
-    return alertWith(
-      `The sample “${sample.title}” could not be loaded. Check the connection, or use a picture of yours.`,
-    );
-  }
+  if (!(await take(fetchSample(sample), name, sample.name))) return;
   if (!keepParams) followSample(sample);
   generate();
+}
+
+async function fetchSample({ file, title }: Sample): Promise<Blob> {
+  try {
+    const response = await fetch(file);
+    if (response.ok) return await response.blob();
+  } catch {
+    // As below.
+  }
+  throw new Error(`The sample “${title}” could not be loaded. Check the connection, or use a picture of yours.`);
 }
 
 function followSample(sample: Sample): void {

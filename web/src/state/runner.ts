@@ -2,6 +2,7 @@
 
 import { batch } from '@preact/signals';
 import type { Job, Problem } from 'tessera-wasm';
+import { schema } from 'tessera-wasm/description';
 import { valueOf } from './form';
 import { client } from './page';
 import { reducedJob, reductionFor } from './reduce';
@@ -9,11 +10,12 @@ import {
   alerts,
   backend,
   clearAlerts,
-  engine,
   entry,
   fields,
   inputRole,
+  known,
   notice,
+  opening,
   outcome,
   params,
   picture,
@@ -53,11 +55,13 @@ export function prepare(stage = ''): void {
 
 /** After a change of a parameter: soon, and where the picture is large on a smaller copy first. */
 export function runSoon(): void {
+  if (opening.value) return prepare('picture');
   prepare();
   timer = window.setTimeout(() => void start(true), kPause);
 }
 
 export function generate(): void {
+  if (opening.value) return prepare('picture');
   prepare();
   void start(false);
 }
@@ -78,22 +82,20 @@ export function cancel(): void {
 async function start(quick: boolean): Promise<void> {
   const mine = ++newest;
   await client.cancel();
-  const { value: info } = engine;
   if (mine !== newest) return;
-  if (!info || !picture.value) {
+  if (!picture.value) {
     run.value = null;
     return;
   }
   const job = currentJob();
   const part = quick ? reductionFor(picture.value.width, picture.value.height) : 1;
-  if (part < 1 && !(await attempt(mine, reducedJob(job, info.schema, part), part))) return;
+  if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part))) return;
   await attempt(mine, job, 1);
 }
 
 /** True where it ran to its end and is still wanted. */
 async function attempt(mine: number, job: Job, scale: number): Promise<boolean> {
-  const { value: info } = engine;
-  if (!info || mine !== newest) return false;
+  if (mine !== newest) return false;
   const reduced = scale < 1;
   batch(() => {
     problems.value = {};
@@ -102,8 +104,7 @@ async function attempt(mine: number, job: Job, scale: number): Promise<boolean> 
   const update = (change: Partial<NonNullable<typeof run.value>>) => {
     if (mine === newest && run.value) run.value = { ...run.value, ...change };
   };
-  const known = info.techniques.find((t) => t.name === job.technique);
-  const formats = kFormats.filter((format) => known?.formats.includes(format));
+  const formats = kFormats.filter((format) => known.value?.formats.includes(format));
   const baseName = `${(picture.value?.name ?? 'drawing').replace(/\.[^.]*$/, '')}-${job.technique}`;
   const end = await client.run(
     { job, backend: backend.value, scale, formats },

@@ -2,6 +2,7 @@
 
 import { computed, signal } from '@preact/signals';
 import type { Job, RunResult } from 'tessera-wasm';
+import { schema, techniques } from 'tessera-wasm/description';
 import { pavement } from '../techniques/pavement';
 import { entryOf } from '../techniques/index';
 import type { Size } from '../stage/view';
@@ -44,12 +45,15 @@ export interface Outcome {
   files: Readonly<Record<string, FileLink>>;
 }
 
+/** The one that computes; null until it is there. The page is made without it, and jobs wait for it. */
 export const engine = signal<EngineInfo | null>(null);
 /** What draws where a graphics card is asked for; null until that has been looked for. */
 export const graphics = signal<Graphics | null>(null);
 export const technique = signal(pavement.name);
 export const edits = signal<History<Edits>>(historyOf({ params: {}, seed: 1 }));
 export const picture = signal<PictureInfo | null>(null);
+/** A picture is on its way; it runs as soon as it is there. */
+export const opening = signal(false);
 export const run = signal<Run | null>(null);
 export const outcome = signal<Outcome | null>(null);
 /** What became of the last run, in a few words for everybody: "Cancelled". */
@@ -62,13 +66,12 @@ export const piece = signal<PieceFacts | null>(null);
 export const sketching = signal(false);
 
 export const entry = computed(() => entryOf(technique.value) ?? pavement);
-export const fields = computed(() => (engine.value ? fieldsOf(engine.value.schema, technique.value) : []));
+export const fields = computed(() => fieldsOf(schema, technique.value));
 export const params = computed(() => edits.value.present.params);
 export const seed = computed(() => edits.value.present.seed);
-export const inputRole = computed(() => {
-  const known = engine.value?.techniques.find((t) => t.name === technique.value);
-  return known?.inputs[0]?.name ?? 'drawing';
-});
+/** The engine's word on the technique. */
+export const known = computed(() => techniques.find((t) => t.name === technique.value));
+export const inputRole = computed(() => known.value?.inputs[0]?.name ?? 'drawing');
 
 export const alertWith = (...messages: string[]): void => {
   alerts.value = messages;

@@ -1,5 +1,5 @@
 import { Download } from 'lucide-preact';
-import { entry, engine, notice, outcome, run, type Outcome, type Run } from '../state/store';
+import { entry, engine, known, notice, outcome, run, type Outcome, type Run } from '../state/store';
 import { timeLeft } from './time-left';
 
 const kFormats = ['svg', 'dxf', 'png', 'glb', 'zip'];
@@ -33,7 +33,7 @@ export function Bar() {
 }
 
 function Going({ run: { stage, iteration, fraction, since, reduced } }: { run: Run }) {
-  const word = entry.value.stages[stage] ?? kStages[stage] ?? 'Starting';
+  const word = entry.value.stages[stage] ?? kStages[stage] ?? (engine.value ? 'Starting' : 'Loading the engine');
   const left = timeLeft(fraction, performance.now() - since);
   return (
     <>
@@ -62,12 +62,10 @@ function Done({ outcome: { result, milliseconds } }: { outcome: Outcome }) {
   );
 }
 
-const Waiting = () => <span>{notice.value || (engine.value ? 'Ready' : 'Loading the engine')}</span>;
+const Waiting = () => <span>{notice.value || 'Ready'}</span>;
 
 function Downloads() {
-  const { value: info } = engine;
-  const known = info?.techniques.find((t) => t.name === entry.value.name)?.formats ?? [];
-  const formats = [...kFormats.filter((format) => known.includes(format)), 'job'];
+  const formats = [...kFormats.filter((format) => known.value?.formats.includes(format)), 'job'];
   const files = run.value ? {} : (outcome.value?.files ?? {});
   return (
     <div class="downloads">

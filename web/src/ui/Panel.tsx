@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { ChevronUp, Play, Square } from 'lucide-preact';
 import { cancel, generate } from '../state/runner';
-import { engine, picture, run } from '../state/store';
+import { opening, picture, run } from '../state/store';
 import { Parameters, Presets } from './Parameters';
 import { PictureInput } from './PictureInput';
 
@@ -22,7 +22,7 @@ export function Panel() {
           Parameters
         </button>
         <div class="run-buttons">
-          <button type="button" class="button primary" disabled={!engine.value || !picture.value} onClick={generate}>
+          <button type="button" class="button primary" disabled={!picture.value && !opening.value} onClick={generate}>
             <Play size={16} aria-hidden />
             Generate
           </button>

@@ -1,14 +1,14 @@
 import { batch, useSignal } from '@preact/signals';
+import { schema } from 'tessera-wasm/description';
 import { historyOf } from '../state/history';
 import { generate } from '../state/runner';
-import { edits, engine, technique } from '../state/store';
+import { edits, technique } from '../state/store';
 import { techniques } from '../techniques/index';
 import type { TechniqueEntry } from '../techniques/entry';
 import { Mark } from './Mark';
 
-/** The engine's word on it, once it is there; until then, that of the tab that is open. */
-const isThere = ({ name }: TechniqueEntry) =>
-  engine.value ? name in engine.value.schema.$defs : name === technique.value;
+/** The engine's word on it. */
+const isThere = ({ name }: TechniqueEntry) => name in schema.$defs;
 
 function open(chosen: TechniqueEntry): void {
   if (!isThere(chosen) || chosen.name === technique.value) return;

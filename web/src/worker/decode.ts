@@ -4,11 +4,21 @@ import type { Picture } from 'tessera-wasm';
 import { readHeader } from './picture-header';
 
 const kMaxPixels = 100_000_000;
+const kMaxShown = 4096; // px a side; no screen shows more
 
 /** A message that the page shows as it is. */
 export class PictureError extends Error {}
 
-export async function decode(blob: Blob, name: string): Promise<Picture> {
+export interface Opened {
+  width: number;
+  height: number;
+  /** To look at; as transparent as the file. */
+  bitmap: ImageBitmap;
+  /** Once only. They take their time, and nobody needs them before a job. */
+  pixels(): Picture;
+}
+
+export async function open(blob: Blob, name: string): Promise<Opened> {
   const bytes = new Uint8Array(await blob.arrayBuffer());
   if (bytes.length === 0) throw new PictureError(`“${name}” is empty. Choose another file.`);
   const header = readHeader(bytes);
@@ -17,7 +27,7 @@ export async function decode(blob: Blob, name: string): Promise<Picture> {
   }
   refuseTooLarge(name, header.width, header.height);
   try {
-    return header.kind === 'TIFF' ? await decodeTiff(bytes, name) : await decodeByBrowser(blob, name);
+    return header.kind === 'TIFF' ? await openTiff(bytes, name) : await openByBrowser(blob, name);
   } catch (error) {
     if (error instanceof PictureError) throw error;
     throw new PictureError(`“${name}” is a damaged ${header.kind} file. Save it again, or choose another.`);
@@ -32,16 +42,14 @@ function refuseTooLarge(name: string, width: number, height: number): void {
   );
 }
 
-async function decodeByBrowser(blob: Blob, name: string): Promise<Picture> {
+async function openByBrowser(blob: Blob, name: string): Promise<Opened> {
   const bitmap = await createImageBitmap(blob, { imageOrientation: 'from-image', colorSpaceConversion: 'none' });
   const { width, height } = bitmap;
   refuseTooLarge(name, width, height);
-  const pixels = overWhite(bitmap, width, height);
-  bitmap.close();
-  return pixels;
+  return { width, height, bitmap: await toLookAt(bitmap, width, height), pixels: () => pixelsOf(bitmap, 1) };
 }
 
-async function decodeTiff(bytes: Uint8Array, name: string): Promise<Picture> {
+async function openTiff(bytes: Uint8Array, name: string): Promise<Opened> {
   const { decode: readDirectories, decodeImage, toRGBA8 } = await import('utif2');
   const buffer = bytes.slice().buffer;
   const first = readDirectories(buffer)[0];
@@ -51,24 +59,28 @@ async function decodeTiff(bytes: Uint8Array, name: string): Promise<Picture> {
   const { width, height } = first;
   const data = toRGBA8(first);
   if (!(width > 0 && height > 0) || data.length !== 4 * width * height) throw new Error('damaged');
-  return { data, width, height };
+  const image = new ImageData(new Uint8ClampedArray(data), width, height);
+  return { width, height, bitmap: await toLookAt(image, width, height), pixels: () => image };
 }
 
-function overWhite(source: CanvasImageSource, width: number, height: number): Picture {
+/** Over white, and scaled; the bitmap is used up. */
+function pixelsOf(bitmap: ImageBitmap, scale: number): Picture {
+  const width = Math.max(1, Math.round(bitmap.width * scale));
+  const height = Math.max(1, Math.round(bitmap.height * scale));
   const context = new OffscreenCanvas(width, height).getContext('2d', { alpha: false, willReadFrequently: true });
   if (!context) throw new PictureError(`There is not enough memory for a picture of ${width} × ${height} pixels.`);
   context.fillStyle = '#fff';
   context.fillRect(0, 0, width, height);
+  context.imageSmoothingEnabled = scale !== 1; // it takes its time even where there is nothing to smooth
   context.imageSmoothingQuality = 'high';
-  context.drawImage(source, 0, 0, width, height);
-  return { data: context.getImageData(0, 0, width, height).data, width, height };
+  context.drawImage(bitmap, 0, 0, width, height);
+  bitmap.close();
+  return context.getImageData(0, 0, width, height);
 }
 
-/** A bitmap to look at, no larger than a screen can show. */
-export function bitmapOf(picture: Picture): Promise<ImageBitmap> {
-  const { data, width, height } = picture;
-  const part = Math.min(1, 4096 / Math.max(width, height));
-  const image = new ImageData(new Uint8ClampedArray(data.buffer as ArrayBuffer, data.byteOffset), width, height);
+function toLookAt(image: ImageBitmap | ImageData, width: number, height: number): Promise<ImageBitmap> {
+  const part = Math.min(1, kMaxShown / Math.max(width, height));
+  if (part === 1) return createImageBitmap(image);
   return createImageBitmap(image, {
     resizeWidth: Math.max(1, Math.round(width * part)),
     resizeHeight: Math.max(1, Math.round(height * part)),
@@ -79,8 +91,5 @@ export function bitmapOf(picture: Picture): Promise<ImageBitmap> {
 export async function scaled(picture: Picture, scale: number): Promise<Picture> {
   const { data, width, height } = picture;
   const image = new ImageData(new Uint8ClampedArray(data.buffer as ArrayBuffer, data.byteOffset), width, height);
-  const bitmap = await createImageBitmap(image);
-  const pixels = overWhite(bitmap, Math.max(1, Math.round(width * scale)), Math.max(1, Math.round(height * scale)));
-  bitmap.close();
-  return pixels;
+  return pixelsOf(await createImageBitmap(image), scale);
 }

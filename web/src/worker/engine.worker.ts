@@ -1,7 +1,7 @@
 // The engine's thread. Calls into it block until they are done; what happens meanwhile is posted from its callbacks.
 
 import { createTessera, TesseraError, type Iteration, type Picture, type Problem, type Tessera } from 'tessera-wasm';
-import { bitmapOf, decode, PictureError, scaled } from './decode';
+import { open, PictureError, scaled, type Opened } from './decode';
 import { parsePieces, transferable } from './pieces';
 import type { EngineToPainter, FromEngine, Graphics, RunRequest, ToEngine } from './protocol';
 import { scope } from './scope';
@@ -15,7 +15,14 @@ const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 let engine: Tessera | undefined;
 let painter: MessagePort | undefined;
 let newest = 0; // request; an older one makes no more files
-const pictures = new Map<string, { whole: Picture; reduced?: { scale: number; picture: Picture } }>();
+let pictureTaken = Promise.resolve(); // one after the other: the newest is the one that stays
+const pictures = new Map<string, Held>();
+
+interface Held {
+  opened: Opened;
+  whole?: Picture;
+  reduced?: { scale: number; picture: Picture };
+}
 
 const tell = (message: FromEngine) => scope.postMessage(message);
 const show = (message: EngineToPainter, transfer: Transferable[]) => painter?.postMessage(message, transfer);
@@ -42,13 +49,12 @@ function lookForGraphics(tessera: Tessera, wanted: boolean): void {
   tell({ type: 'graphics', graphics });
 }
 
-async function boot({ base, threads, graphics: known, painter: port }: ToEngine & { type: 'boot' }): Promise<void> {
-  painter = port;
+async function boot({ base, threads, wasm, graphics: known }: ToEngine & { type: 'boot' }): Promise<void> {
   graphics = known;
   try {
-    engine = await createTessera({ threads, locateFile: (name) => new URL(`engine/${name}`, base).href });
-    const { version, schema, techniques, stopFlag } = engine;
-    tell({ type: 'ready', info: { version, threads: engine.threads, schema, techniques }, stopFlag });
+    engine = await createTessera({ threads, wasm, locateFile: (name) => new URL(`engine/${name}`, base).href });
+    const { version, stopFlag } = engine;
+    tell({ type: 'ready', info: { version, threads: engine.threads }, stopFlag });
   } catch (error) {
     tell({ type: 'broken', message: problemsOf(error)[0]?.message ?? '' });
   }
@@ -56,11 +62,11 @@ async function boot({ base, threads, graphics: known, painter: port }: ToEngine 
 
 async function takePicture({ id, role, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
   try {
-    const whole = await decode(blob, name);
-    pictures.set(role, { whole });
-    const bitmap = await bitmapOf(whole);
-    show({ type: 'source', bitmap, width: whole.width, height: whole.height }, [bitmap]);
-    tell({ type: 'picture', id, width: whole.width, height: whole.height });
+    const opened = await open(blob, name);
+    pictures.set(role, { opened });
+    const { bitmap, width, height } = opened;
+    show({ type: 'source', bitmap, width, height }, [bitmap]);
+    tell({ type: 'picture', id, width, height });
   } catch (error) {
     const message = error instanceof PictureError ? error.message : `“${name}” cannot be read. Choose another file.`;
     tell({ type: 'refused', id, message });
@@ -70,6 +76,7 @@ async function takePicture({ id, role, name, blob }: ToEngine & { type: 'picture
 /** The engine's copy of each picture, whole or reduced as this run wants it. */
 async function setInputs(tessera: Tessera, scale: number): Promise<void> {
   for (const [role, held] of pictures) {
+    held.whole ??= held.opened.pixels();
     if (scale < 1 && held.reduced?.scale !== scale) {
       held.reduced = { scale, picture: await scaled(held.whole, scale) };
     }
@@ -78,8 +85,9 @@ async function setInputs(tessera: Tessera, scale: number): Promise<void> {
 }
 
 async function run(id: number, request: RunRequest): Promise<void> {
-  if (!engine) return;
   newest = id;
+  await pictureTaken;
+  if (!engine || newest !== id) return;
   try {
     if (request.backend === 'gl') lookForGraphics(engine, true);
     await setInputs(engine, request.scale);
@@ -141,10 +149,14 @@ function read(id: number, text: string): void {
 
 scope.onmessage = ({ data }: MessageEvent<ToEngine>) => {
   switch (data.type) {
+    case 'painter':
+      painter = data.port;
+      return;
     case 'boot':
       return void boot(data);
     case 'picture':
-      return void takePicture(data);
+      pictureTaken = pictureTaken.then(() => takePicture(data));
+      return;
     case 'run':
       return void run(data.id, data.request);
     case 'read':

@@ -1,6 +1,6 @@
 // What the page, the engine's worker and the painter's worker say to each other.
 
-import type { Job, JobSchema, Preview, Problem, RunResult, Technique } from 'tessera-wasm';
+import type { Job, Preview, Problem, RunResult } from 'tessera-wasm';
 import type { Point, View } from '../stage/view';
 import type { Pieces } from './pieces';
 
@@ -15,8 +15,6 @@ export interface Graphics {
 export interface EngineInfo {
   version: string;
   threads: number;
-  schema: JobSchema;
-  techniques: Technique[];
 }
 
 export interface RunRequest {
@@ -29,8 +27,9 @@ export interface RunRequest {
 }
 
 export type ToEngine =
+  | { type: 'painter'; port: MessagePort }
   /** `graphics`: what an earlier engine of this page found, so as not to look again. */
-  | { type: 'boot'; base: string; threads: number; graphics: Graphics | null; painter: MessagePort }
+  | { type: 'boot'; base: string; threads: number; wasm: WebAssembly.Module | undefined; graphics: Graphics | null }
   | { type: 'picture'; id: number; role: string; name: string; blob: Blob }
   | { type: 'run'; id: number; request: RunRequest }
   | { type: 'read'; id: number; text: string };
