@@ -85,7 +85,7 @@ DirectionField direction_of(const Fields& fields, const Params& params, double s
   cv::Mat2f& nodes = field.nodes();
   cv::Mat2f target(nodes.size(), cv::Vec2f(0, 0));
   cv::Mat1f weight(nodes.size(), 0.0f);
-  const int reach = std::max(1, static_cast<int>(step / 2));
+  const int reach = std::max(2, static_cast<int>(step / 2));
   for (int j = 0; j < nodes.rows; ++j)
     for (int i = 0; i < nodes.cols; ++i) {
       const double x = std::min<double>(i * step, fields.size.width - 1),
@@ -94,7 +94,7 @@ DirectionField direction_of(const Fields& fields, const Params& params, double s
       if (up[0] == 0 && up[1] == 0) continue;
       const double away = fields.distance(static_cast<int>(y), static_cast<int>(x)) / fields.side(x, y);
       target(j, i) = fourfold(up[0], up[1]);
-      weight(j, i) = static_cast<float>(1 / (0.25 + away * away));
+      weight(j, i) = static_cast<float>(1 / (0.25 + 8 * away * away));
     }
   for (int j = 0; j < nodes.rows; ++j)
     for (int i = 0; i < nodes.cols; ++i) nodes(j, i) = target(j, i) * weight(j, i);
@@ -187,7 +187,7 @@ Point Fields::inside(Point p) const {
 }
 
 Point Fields::uphill(Point p) const {
-  const cv::Vec2d up = tessera::uphill(distance, p.x, p.y, std::max(1, static_cast<int>(side(p.x, p.y) / 6)));
+  const cv::Vec2d up = tessera::uphill(distance, p.x, p.y, std::max(2, static_cast<int>(side(p.x, p.y) / 6)));
   return {up[0], up[1]};
 }
 

@@ -13,7 +13,7 @@
 namespace tessera::mosaic {
 namespace {
 
-constexpr double kWideAngle = 155;    // degrees: wider corners of a quadrilateral tile are left out
+constexpr double kWideAngle = 172;    // degrees: wider corners of a quadrilateral tile are left out
 constexpr double kGroutShare = 0.12;  // of a tile's side: what grout takes of it at most, on each side
 constexpr int kEllipseVertices = 24;
 
@@ -21,7 +21,7 @@ std::vector<Ring> quadrilaterals(const Diagram& diagram, const Fields& fields) {
   Tessellation t = place_vertices(diagram, fields);
   std::vector<char> flat = match_corners(t);
   relax(t, flat, [&](int vertex, Point p) { return back_to_edge(t, fields, vertex, p); },
-        {.rounds = 120, .pull = 0.05, .squareness = 0.5, .gap = 0.01, .overlap = 0.0003, .frontiers_too = true});
+        {.rounds = 120, .pull = 0.05, .squareness = 0.5, .gap = 0.004, .overlap = 0.0003, .frontiers_too = true});
   return separate_pieces(t, flat, kWideAngle);
 }
 

@@ -14,7 +14,7 @@ namespace {
 // is wider grout, where it goes beyond it covers the other colour.
 constexpr double kFrontierShort = 0.2, kFrontierBeyond = 0.12;
 constexpr double kSquareness = 0.25;  // weight of right angles against distances moved (in h, squared)
-constexpr double kAlignment = 0.4;    // weight of sides along the cell's frame, if it has one
+constexpr double kAlignment = 4;      // weight of sides along the cell's frame, if it has one
 constexpr double kTooFar = 1.2;       // largest rise of a stone's badness that one flat angle may cost
 constexpr double kChange = 0.01;      // least cost of a link in a chain of changes
 constexpr int kSearchLimit = 300;     // links an augmenting search may look at

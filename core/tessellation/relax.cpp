@@ -273,7 +273,8 @@ class Relaxer {
 void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params) {
   Relaxer relaxer(t, flat, params);
   for (int i = 0; i < params.rounds; ++i) {
-    if (!t.frame.empty() && i < params.rounds / 2) relaxer.square_up(params.squareness);
+    if (!t.frame.empty() && i < params.rounds * 5 / 6)
+      relaxer.square_up(params.squareness * (1 - 1.2 * i / params.rounds));
     relaxer.round(i < params.rounds / 2 ? params.pull : 0);
     if (i == params.rounds / 2) relaxer.back_to_frontier(back);
   }

@@ -6,6 +6,7 @@ namespace tessera {
 
 bool make_equidistant(const SiteDistance& a, const SiteDistance& b, const SiteDistance& c, double limit, Point& p) {
   Point q = p;
+  double last = 0;  // how far the last step went
   for (int i = 0; i < 6; ++i) {
     const auto u = a.at(q.x, q.y), v = b.at(q.x, q.y), w = c.at(q.x, q.y);
     const Point uv{u.slope_x - v.slope_x, u.slope_y - v.slope_y}, uw{u.slope_x - w.slope_x, u.slope_y - w.slope_y};
@@ -15,8 +16,10 @@ bool make_equidistant(const SiteDistance& a, const SiteDistance& b, const SiteDi
     const Point step{(g * uv.y - f * uw.y) / det, (f * uw.x - g * uv.x) / det};
     q += step;
     if (length(q - p) > limit) return false;
-    if (length(step) < 1e-3) break;
+    last = length(step);
+    if (last < 1e-3) break;
   }
+  if (last > 0.05) return false;
   p = q;
   return true;
 }

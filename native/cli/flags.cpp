@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <filesystem>
 #include <optional>
+
+#include "tessera/io/file.h"
 
 namespace tessera {
 namespace {
@@ -23,10 +27,19 @@ const char* type_name(const Parameter& parameter) {
     case ParameterKind::kNumber: return "X";
     case ParameterKind::kInteger: return "N";
     case ParameterKind::kFlag: return "true|false";
-    case ParameterKind::kText: return "TEXT";
+    case ParameterKind::kText: return "TEXT|FILE";
     case ParameterKind::kChoice: break;
   }
   return "NAME";
+}
+
+// A text too long to type may lie in a file.
+std::string text_or_file(const std::string& value) {
+  constexpr std::uintmax_t kLongest = 1 << 20;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(value, error) || std::filesystem::file_size(value, error) > kLongest)
+    return value;
+  return read_file(value).value_or(value);
 }
 
 // "Half the side of a stone: 1 to 512 px; default 4"
@@ -74,7 +87,9 @@ ParameterFlags::ParameterFlags(CLI::App& command, const std::string& group, std:
 Json ParameterFlags::given() const {
   Json values = Json::object();
   for (const Flag& flag : flags_) {
-    if (flag.option->count() > 0) values[flag.parameter.info.key] = parse_value(flag.parameter, flag.text);
+    if (flag.option->count() == 0) continue;
+    const bool is_text = flag.parameter.kind == ParameterKind::kText;
+    values[flag.parameter.info.key] = parse_value(flag.parameter, is_text ? text_or_file(flag.text) : flag.text);
   }
   return values;
 }

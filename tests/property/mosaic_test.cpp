@@ -1,0 +1,193 @@
+// What must hold of every mosaic, whatever the photo, the seed and the parameters.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <opencv2/core/utility.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../unit/mosaic/photos.h"
+#include "tessera/geometry/scan.h"
+#include "tessera/mosaic/run.h"
+#include "tessera/voronoi/cpu_rasterizer.h"
+
+namespace tessera::mosaic {
+namespace {
+
+Output lay(const cv::Mat3b& picture, const Params& params, std::uint64_t seed = 1) {
+  const auto rasterizer = make_cpu_rasterizer();
+  return run({view_of(picture), {}, {}, {}}, params, seed, *rasterizer, {}).value();
+}
+
+struct Laid {
+  const Photo* photo;
+  Params params;
+  Output output;
+  std::string name;
+};
+
+const std::vector<Laid>& all_results() {
+  static const std::vector<Photo> photos = all_photos();
+  static const std::vector<Laid> results = [] {
+    std::vector<Laid> list;
+    for (const Photo& photo : photos) {
+      int variant = 0;
+      for (const Shape shape : {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell}) {
+        for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
+          Params params;
+          params.shape = shape;
+          params.style = style;
+          params.tiles = variant % 3 == 0 ? 40 : variant % 3 == 1 ? 200 : 1;
+          params.grout = variant % 2;
+          params.aspect = variant % 4 == 3 ? 2 : 1;
+          params.iterations = variant % 5;
+          params.settle = variant % 3;
+          list.push_back({&photo, params, lay(photo.picture, params, variant),
+                          photo.name + ", variant " + std::to_string(variant)});
+          ++variant;
+        }
+      }
+    }
+    return list;
+  }();
+  return results;
+}
+
+TEST(MosaicProperty, EveryPhotoGetsTilesAndEveryNumberIsOne) {
+  for (const Laid& laid : all_results()) {
+    const auto& pieces = laid.output.sheet.pieces;
+    EXPECT_FALSE(pieces.empty()) << laid.name;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      EXPECT_EQ(pieces[i].id, static_cast<int>(i) + 1) << laid.name;
+      ASSERT_GE(pieces[i].outline.outer.size(), 3u) << laid.name;
+      for (const Point p : pieces[i].outline.outer)
+        ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << laid.name;
+      EXPECT_GT(laid.output.areas[i], 0) << laid.name;
+    }
+    for (const double v : {laid.output.field_angle, laid.output.edge_angle}) {
+      EXPECT_TRUE(v >= 0 && v <= 45) << laid.name;
+    }
+    EXPECT_LE(laid.output.crossed, laid.output.at_edges) << laid.name;
+  }
+}
+
+TEST(MosaicProperty, QuadsHaveSimpleOutlinesOfFourCornersAtLeast) {
+  for (const Laid& laid : all_results()) {
+    if (laid.params.shape != Shape::kQuad) continue;
+    for (const Piece& tile : laid.output.sheet.pieces) {
+      EXPECT_GE(tile.outline.outer.size(), 4u) << laid.name;
+      EXPECT_TRUE(is_simple(tile.outline.outer)) << laid.name << ", tile " << tile.id;
+      EXPECT_GT(signed_area(tile.outline.outer), 0) << laid.name << ", tile " << tile.id;
+    }
+  }
+}
+
+TEST(MosaicProperty, TilesStayInThePictureUnlessTheyAreStrokes) {
+  constexpr double kSlack = 1e-6;
+  for (const Laid& laid : all_results()) {
+    if (laid.params.shape == Shape::kEllipse) continue;
+    for (const Piece& tile : laid.output.sheet.pieces)
+      for (const Point p : tile.outline.outer)
+        ASSERT_TRUE(p.x >= -kSlack && p.y >= -kSlack && p.x <= laid.photo->picture.cols + kSlack &&
+                    p.y <= laid.photo->picture.rows + kSlack)
+            << laid.name << ", tile " << tile.id;
+  }
+}
+
+// Pixels of a fine grid that more than one tile covers, and that any does, of all.
+std::pair<double, double> overlap_and_coverage(const Laid& laid) {
+  constexpr int kFine = 8;
+  cv::Mat1b hits = cv::Mat1b::zeros(laid.photo->picture.rows * kFine, laid.photo->picture.cols * kFine);
+  for (const Piece& tile : laid.output.sheet.pieces) {
+    Ring ring = tile.outline.outer;
+    for (Point& p : ring) p = kFine * p;
+    each_run(ring, hits.cols, hits.rows, [&](int y, int begin, int end) {
+      for (int x = begin; x < end; ++x) hits(y, x) = static_cast<unsigned char>(std::min(255, hits(y, x) + 1));
+    });
+  }
+  const double all = static_cast<double>(hits.total());
+  return {cv::countNonZero(hits > 1) / all, cv::countNonZero(hits) / all};
+}
+
+TEST(MosaicProperty, ClippedTilesDoNotOverlap) {
+  for (const Laid& laid : all_results()) {
+    if (laid.params.shape == Shape::kEllipse) continue;
+    const auto [overlap, coverage] = overlap_and_coverage(laid);
+    EXPECT_LE(overlap, 0.004) << laid.name;  // a share of the fine grid's points lies on borders
+    if (laid.params.shape == Shape::kCell && laid.params.grout == 0) {
+      EXPECT_GE(coverage, 0.99) << laid.name;
+    }
+  }
+}
+
+TEST(MosaicProperty, QuadsWithoutGroutLeaveNoGaps) {
+  Params params;
+  params.tiles = 150;
+  params.grout = 0;
+  for (const Photo& photo : all_photos()) {
+    Laid laid{&photo, params, lay(photo.picture, params), photo.name};
+    EXPECT_GE(overlap_and_coverage(laid).second, 0.95) << photo.name;
+  }
+}
+
+TEST(MosaicProperty, AboutAsManyTilesAsAskedFor) {
+  for (const int tiles : {50, 200, 800}) {
+    Params params;
+    params.tiles = tiles;
+    const auto count = lay(disc_photo(), params).sheet.pieces.size();
+    EXPECT_NEAR(static_cast<double>(count), tiles, 0.15 * tiles);
+    params.style = Style::kHausner;
+    EXPECT_NEAR(static_cast<double>(lay(disc_photo(), params).sheet.pieces.size()), tiles, 0.02 * tiles);
+  }
+}
+
+TEST(MosaicProperty, SameTilesForAnyNumberOfThreads) {
+  const int before = cv::getNumThreads();
+  std::vector<std::vector<Ring>> rings;
+  for (const int threads : {1, 2, 5}) {
+    cv::setNumThreads(threads);
+    rings.emplace_back();
+    for (const Piece& tile : lay(disc_photo(), {}).sheet.pieces) rings.back().push_back(tile.outline.outer);
+  }
+  cv::setNumThreads(before);
+  EXPECT_EQ(rings[0], rings[1]);
+  EXPECT_EQ(rings[0], rings[2]);
+}
+
+TEST(MosaicProperty, TilesFollowTheDiscsEdge) {
+  Params params;
+  params.tiles = 400;
+  params.variation = 1;
+  const Output output = lay(disc_photo(240), params);
+  EXPECT_LT(output.field_angle, 6);
+  EXPECT_LT(output.edge_angle, 6);
+  EXPECT_LT(output.crossed, 0.1 * output.at_edges);
+  EXPECT_GT(output.at_edges, 20);
+}
+
+TEST(MosaicProperty, WithoutEdgesTilesAreAGridAlongThePicturesSides) {
+  Params params;
+  params.tiles = 108;
+  const Output output = lay(plain_photo(), params);
+  EXPECT_EQ(output.at_edges, 0);
+  EXPECT_LT(output.field_angle, 1);
+}
+
+TEST(MosaicProperty, EndsWhenItIsStopped) {
+  const cv::Mat3b picture = disc_photo();
+  const auto rasterizer = make_cpu_rasterizer();
+  std::atomic<int> stop = static_cast<int>(StopReason::kNone);
+  RunContext context;
+  context.stop = &stop;
+  const auto observer = [&](const Iteration& iteration) {
+    if (iteration.index == 2) stop = static_cast<int>(StopReason::kCancelled);
+  };
+  const auto result = run({view_of(picture), {}, {}, {}}, {}, 1, *rasterizer, context, observer);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, StatusCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace tessera::mosaic

@@ -1,0 +1,42 @@
+#include "tessera/base/text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tessera {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(Split, GivesTheWordsBetweenSeparators) {
+  EXPECT_THAT(split(" a, bc,,d ", " ,"), ElementsAre("a", "bc", "d"));
+  EXPECT_THAT(split("", " ,"), IsEmpty());
+  EXPECT_THAT(split(" ,, ", " ,"), IsEmpty());
+  EXPECT_THAT(split("whole", ","), ElementsAre("whole"));
+}
+
+TEST(ParseColour, TakesThreeOrSixDigits) {
+  Rgb colour{1, 2, 3};
+  for (const char* wrong : {"", "#", "#12345", "#1234567", "red", "#12345g", "-12345", "# 12345"}) {
+    EXPECT_FALSE(parse_colour(wrong, colour)) << wrong;
+    EXPECT_EQ(colour, (Rgb{1, 2, 3}));
+  }
+  EXPECT_TRUE(parse_colour("#aB01ff", colour));
+  EXPECT_EQ(colour, (Rgb{0xab, 0x01, 0xff}));
+  EXPECT_TRUE(parse_colour("18f", colour));
+  EXPECT_EQ(colour, (Rgb{0x11, 0x88, 0xff}));
+}
+
+TEST(ParseNumber, TakesDecimalsOnly) {
+  double value = 7;
+  for (const char* wrong : {"", "a", "1a", "nan", "inf", "0x10", "1e999", "--1", "1 "}) {
+    EXPECT_FALSE(parse_number(wrong, value)) << wrong;
+    EXPECT_EQ(value, 7);
+  }
+  EXPECT_TRUE(parse_number("-1.5e2", value));
+  EXPECT_EQ(value, -150);
+}
+
+}  // namespace
+}  // namespace tessera
