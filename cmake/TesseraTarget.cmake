@@ -16,6 +16,10 @@ endif()
 add_library(tessera_options INTERFACE)
 # Same job, same bytes on every machine: no fused multiply-add, no reordered sums.
 target_compile_options(tessera_options INTERFACE -Wall -Wextra -Werror -ffp-contract=off)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
+  target_sources(tessera_options INTERFACE
+    "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${CMAKE_CURRENT_LIST_DIR}/seen_threads.cpp>")
+endif()
 if(TESSERA_CLANG_TIDY)
   find_program(CLANG_TIDY NAMES clang-tidy-14 clang-tidy REQUIRED)
   set(CMAKE_CXX_CLANG_TIDY "${CLANG_TIDY}")

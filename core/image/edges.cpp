@@ -40,7 +40,7 @@ Gradient strongest_gradient(const cv::Mat3s& picture) {
 
 // The length that the given share of all gradients exceeds.
 int length_of_share(const Gradient& gradient, double share) {
-  std::vector<std::int64_t> histogram(1500 * kFiner, 0);  // 4 * 255 * sqrt(2) * kFiner at most
+  std::vector<std::int64_t> histogram(std::size_t{1500} * kFiner, 0);  // 4 * 255 * sqrt(2) * kFiner at most
   for (int y = 0; y < gradient.dx.rows; ++y)
     for (int x = 0; x < gradient.dx.cols; ++x) {
       const int dx = gradient.dx(y, x), dy = gradient.dy(y, x);

@@ -124,10 +124,10 @@ cv::Mat1f detail_of(const cv::Mat3b& photo, cv::Size nodes, double step) {
   cv::Mat1f sum(nodes, 0.0f), count(nodes, 0.0f);
   for (int y = 0; y < grey.rows; ++y) {
     const std::uint8_t *row = grey[y], *below = grey[std::min(y + 1, grey.rows - 1)];
-    float* target = sum[std::min(nodes.height - 1, static_cast<int>(y / step + 0.5))];
-    float* pixels = count[std::min(nodes.height - 1, static_cast<int>(y / step + 0.5))];
+    const int j = std::min(nodes.height - 1, static_cast<int>(std::lround(y / step)));
+    float *target = sum[j], *pixels = count[j];
     for (int x = 0; x < grey.cols; ++x) {
-      const int i = static_cast<int>(x / step + 0.5);
+      const int i = static_cast<int>(std::lround(x / step));
       const int dx = row[std::min(x + 1, grey.cols - 1)] - row[x], dy = below[x] - row[x];
       target[i] += static_cast<float>(std::abs(dx) + std::abs(dy));
       pixels[i] += 1;

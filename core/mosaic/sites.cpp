@@ -97,8 +97,9 @@ class Front {
   // Beginnings where nothing lies yet.
   void fill() {
     const double stride = std::max(1.0, bin_ / 2);
-    for (double y = stride; y < fields_.size.height; y += stride)
-      for (double x = stride; x < fields_.size.width; x += stride) {
+    for (int j = 1; j * stride < fields_.size.height; ++j)
+      for (int i = 1; i * stride < fields_.size.width; ++i) {
+        const double x = i * stride, y = j * stride;
         const double half = 0.5 * fields_.side(x, y);
         const Point p{std::clamp(x, std::min(half, 0.5 * fields_.size.width),
                                  std::max(fields_.size.width - half, 0.5 * fields_.size.width)),

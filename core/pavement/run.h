@@ -23,7 +23,7 @@ struct Output {
 
 // `drawing` is read during the call only. Fails with kInvalidInput for a picture without pixels or one too small to
 // hold a stone, kCancelled or kTimeout as `context` says. Same arguments, same result, for any number of threads.
-Result<Output> run(const ImageView& drawing, const Params& params, std::uint64_t seed, Rasterizer& rasterizer,
+Result<Output> run(const ImageView& drawing, const Params& requested, std::uint64_t seed, Rasterizer& rasterizer,
                    const RunContext& context, const IterationObserver& observer = {});
 
 }  // namespace tessera::pavement

@@ -201,10 +201,10 @@ class Matcher {
         return true;
       }
       if (!candidate_at_[held] || std::find(lost_.begin(), lost_.end(), held) != lost_.end()) continue;
-      const int loser = cell_of_[held];
-      if (in_chain(at, loser)) continue;
+      const int cell = cell_of_[held];
+      if (in_chain(at, cell)) continue;
       lost_.push_back(held);
-      expand(loser, held, at, link.cost);
+      expand(cell, held, at, link.cost);
     }
     return false;
   }

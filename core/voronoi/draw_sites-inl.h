@@ -10,6 +10,7 @@
 #endif
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -83,7 +84,7 @@ class Drawing {
 
  private:
   // Rows are longer than the tile, so that a vector may begin at any of its pixels.
-  static constexpr int kStride = kTileWidth + kTilePadding;
+  static constexpr std::ptrdiff_t kStride = kTileWidth + kTilePadding;
 
   const std::uint8_t* zone_row(int y) const { return arg_.zones + (y0_ + y) * arg_.zones_stride + x0_; }
 
@@ -179,7 +180,7 @@ class Drawing {
     std::int32_t* labels = label_ + rows.begin * kStride + x;
     for (int y = rows.begin; y < rows.end; ++y, keys += kStride, labels += kStride) {
       const VF cdy = hn::Mul(cs, dy), sdy = hn::Mul(sn, dy);
-      for (int i = 0; i < kColumns; ++i) {
+      for (std::ptrdiff_t i = 0; i < kColumns; ++i) {
         const VF key = M::key(hn::Add(cdx[i], sdy), hn::Sub(cdy, sdx[i]), eu, ev);
         const VF best = hn::LoadU(d, keys + i * kLanes);
         auto closer = hn::Lt(key, best);

@@ -142,16 +142,16 @@ CellGraph trace_cells(const LabelMap& labels) {
   return graph;
 }
 
-std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, int k) {
-  const Arc& arc = graph.arcs[k];
-  const Junction& from = graph.junctions[arc.from];
+std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, int arc) {
+  const Arc& way = graph.arcs[arc];
+  const Junction& from = graph.junctions[way.from];
   std::vector<cv::Point> corners{{from.x, from.y}};
-  int x = from.x, y = from.y, heading = arc.direction_from;
-  for (int i = 0; i < arc.length; ++i) {
+  int x = from.x, y = from.y, heading = way.direction_from;
+  for (int i = 0; i < way.length; ++i) {
     x += kStepX[heading];
     y += kStepY[heading];
     corners.push_back({x, y});
-    if (i + 1 < arc.length) heading = turn(around(labels, x, y), heading);
+    if (i + 1 < way.length) heading = turn(around(labels, x, y), heading);
   }
   return corners;
 }

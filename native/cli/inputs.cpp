@@ -20,9 +20,10 @@ Result<Input> read_input(const std::string& path, const std::string& folder, std
                          bool with_checksum) {
   auto file = read_file(located(path, folder));
   if (!file) return tl::unexpected<Status>(std::move(file.error()));
-  auto picture = decode_picture({reinterpret_cast<const std::uint8_t*>(file->data()), file->size()}, max_pixels);
+  const std::string& bytes = *file;
+  auto picture = decode_picture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, max_pixels);
   if (!picture) return fail(picture.error().code, input_name(path), picture.error().message);
-  return Input{path, with_checksum ? sha256_hex(*file) : "", *std::move(picture)};
+  return Input{path, with_checksum ? sha256_hex(bytes) : "", *std::move(picture)};
 }
 
 }  // namespace

@@ -27,9 +27,11 @@ namespace {
 // of 4 KiB, they cost a quarter of the run.
 void keep_freed_memory() {
 #ifdef __GLIBC__
+  // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs yet
   mallopt(M_MMAP_MAX, 0);  // large blocks come from the heap, too
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   mallopt(M_TOP_PAD, 1 << 26);
+  // NOLINTEND(concurrency-mt-unsafe)
   // The heap's beginning in huge pages: a block asked for and freed at once stays a part of it.
   constexpr std::size_t kBlock = 256 << 20, kPage = 2 << 20;
   if (void* const block = std::malloc(kBlock)) {

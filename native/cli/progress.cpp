@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace tessera {
@@ -14,7 +15,7 @@ constexpr std::chrono::milliseconds kBetweenDrawings{100};
 std::string time_left(double elapsed_s, double fraction) {
   constexpr double kTooEarly = 0.02;
   if (fraction < kTooEarly) return "";
-  const int seconds = static_cast<int>(elapsed_s * (1 - fraction) / fraction + 0.5);
+  const int seconds = static_cast<int>(std::lround(elapsed_s * (1 - fraction) / fraction));
   return seconds < 60 ? fmt::format(", {} s left", seconds)
                       : fmt::format(", {}:{:02} left", seconds / 60, seconds % 60);
 }

@@ -56,7 +56,7 @@ std::vector<Candidate> candidates() {
     found.push_back({"surfaceless", platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
   if (platform_display != nullptr && lists(extensions, "EGL_EXT_platform_device")) {
     int number = 0;
-    for (const EGLDeviceEXT device : devices())
+    for (EGLDeviceEXT device : devices())
       found.push_back(
           {"device " + std::to_string(number++), platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
   }

@@ -7,8 +7,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace tessera {
@@ -16,7 +16,7 @@ namespace {
 
 tl::unexpected<Status> unwritable(const std::string& path, int error) {
   return fail(StatusCode::kUnwritable, path == "-" ? "standard output" : path,
-              std::string("cannot be written: ") + std::strerror(error));
+              "cannot be written: " + std::generic_category().message(error));
 }
 
 // The error number, 0 for none.
@@ -72,7 +72,7 @@ Result<void> AtomicFiles::add_folder(const std::string& path) {
   if (mkdir(path.c_str(), 0777) == 0) {
     folders_.push_back(path);
   } else if (errno != EEXIST) {
-    return fail(StatusCode::kUnwritable, path, std::string("cannot be made: ") + std::strerror(errno));
+    return fail(StatusCode::kUnwritable, path, "cannot be made: " + std::generic_category().message(errno));
   }
   return {};
 }

@@ -47,6 +47,7 @@ class Reader {
 
   // Everything up to the pixels; sets how they are to come.
   bool read_header() {
+    // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way to give up
     if (!info_ || setjmp(png_jmpbuf(png_))) return false;
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // ours have been checked
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
@@ -64,6 +65,7 @@ class Reader {
 
   // The pixels into `rows`, then what is left of the file.
   bool read_rows(std::uint8_t* pixels, std::size_t stride, std::size_t height) {
+    // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way to give up
     if (setjmp(png_jmpbuf(png_))) return false;
     for (int pass = 0; pass < passes_; ++pass) {
       for (std::size_t y = 0; y < height; ++y) png_read_row(png_, pixels + y * stride, nullptr);

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 namespace tessera {
 namespace {
@@ -22,7 +22,8 @@ Result<std::string> read_all(int descriptor, std::size_t expected, const std::st
     if (size == bytes.size()) bytes.resize(std::max(expected + 1, size + std::max(kStep, size / 2)));
     const ssize_t got = read(descriptor, bytes.data() + size, bytes.size() - size);
     if (got < 0 && errno == EINTR) return fail(StatusCode::kCancelled, path, "interrupted");
-    if (got < 0) return fail(StatusCode::kInvalidInput, path, std::string("cannot be read: ") + std::strerror(errno));
+    if (got < 0)
+      return fail(StatusCode::kInvalidInput, path, "cannot be read: " + std::generic_category().message(errno));
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
     if (size > kMaxBytes) return fail(StatusCode::kInvalidInput, path, "is larger than 4 GiB");
@@ -40,7 +41,7 @@ Result<std::string> read_file(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0 && errno == EINTR) return fail(StatusCode::kCancelled, path, "interrupted");
   if (descriptor < 0) {
-    return fail(StatusCode::kInvalidInput, path, std::string("cannot be opened: ") + std::strerror(errno));
+    return fail(StatusCode::kInvalidInput, path, "cannot be opened: " + std::generic_category().message(errno));
   }
   struct stat info {};
   const bool sized = fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode);
