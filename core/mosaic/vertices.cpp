@@ -13,7 +13,7 @@ namespace tessera::mosaic {
 namespace {
 
 constexpr double kLimit = 1.5;      // px a vertex may move away from its corner to be equally far from its sites
-constexpr double kEdgeReach = 0.3;  // of a tile's side: how far a vertex moves to an edge
+constexpr double kEdgeReach = 0.42;  // of a tile's side: how far a vertex moves to an edge
 
 // Moves p onto the edge next to it; false, and p stays, where that does not lead within half a pixel of one.
 bool to_edge(const Fields& fields, double reach, Point& p) {
