@@ -26,7 +26,7 @@ namespace {
 // Large buffers come and go at every step of a job. Given back to the system and asked for again each time, in pages
 // of 4 KiB, they cost a quarter of the run.
 void keep_freed_memory() {
-#ifdef __GLIBC__
+#if defined(__GLIBC__) && !defined(__SANITIZE_THREAD__)  // whose own allocator takes half a second for the block
   // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs yet
   mallopt(M_MMAP_MAX, 0);  // large blocks come from the heap, too
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
