@@ -30,8 +30,16 @@ def main():
             params = {**preset['params'], 'tiles': round(preset['params'].get('tiles', 2000) * part)}
             job.write_text(json.dumps({'schemaVersion': 1, 'technique': 'mosaic', 'seed': 1, 'params': params,
                                        'inputs': {'photo': photo.name}}), encoding='utf-8')
-            subprocess.run([tessera, 'run', job, '-o', ROOT / 'public' / preset['picture'], '--png-scale', '1',
-                            '--quiet'], check=True)
+            made = pathlib.Path(folder, 'made.png')
+            subprocess.run([tessera, 'run', job, '-o', made, '--quiet'], check=True)
+            (ROOT / 'public' / preset['picture']).write_bytes(png(reduced(*decoded(made.read_bytes()))))
+
+
+def reduced(width, height, rows):
+    """The piece's size again; the program draws a small picture larger."""
+    step = width // WIDTH
+    return [[tuple(sum(rows[y * step + j][3 * (x * step + i) + c] for j in range(step) for i in range(step)) / step ** 2
+                   for c in range(3)) for x in range(WIDTH)] for y in range(HEIGHT)]
 
 
 if __name__ == '__main__':
