@@ -1,5 +1,5 @@
 import { useSignal, useSignalEffect } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { drawStroke, type Context2D, type Ink, type Stroke } from '../state/strokes';
 import { toPicture, type Point, type Size } from '../stage/view';
 import { view, zoom } from '../stage/viewport';
@@ -23,7 +23,7 @@ export function BrushSheet({ size, ink, label, paint, onStroke }: Props) {
   const cursor = useSignal<Point | null>(null);
   const down = useSignal(false); // the brush of the keyboard
 
-  useEffect(() => box.current?.focus({ preventScroll: true }), []);
+  useLayoutEffect(() => box.current?.focus({ preventScroll: true }), []);
   useSignalEffect(() => {
     const context = canvas.current?.getContext('2d');
     if (!context) return;

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { simplified, smoothPath } from '../stage/curve';
 import { toPicture, type Point } from '../stage/view';
 import { view, zoom } from '../stage/viewport';
@@ -25,7 +25,7 @@ export function Guides() {
   const { guides } = drawn.value;
   const { scale, x, y } = view.value;
 
-  useEffect(() => box.current?.focus({ preventScroll: true }), []);
+  useLayoutEffect(() => box.current?.focus({ preventScroll: true }), []);
 
   const onDown = (event: PointerEvent & { currentTarget: HTMLElement }) => {
     if (event.button !== 0) return;
