@@ -1,37 +1,16 @@
 // The browser app as people use it, with threads (isolated) and without (a plain static host).
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { root, withApp } from './browser/app.mjs';
+import { checkLook, looks } from './browser/looks.mjs';
+import { inFolder, nativeSvg } from './native.mjs';
 import { assertSameStones } from './same_stones.mjs';
 
-const tessera = join(root, 'build/native-release/bin/tessera');
 const sample = (name) => join(root, 'public/samples', `${name}.png`);
 const ownDrawings = [sample('ornament'), sample('tiles')];
 const realDrawing = join(root, '../shared/data/pavement/butterfly.png');
-
-async function inFolder(use) {
-  const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
-  try {
-    return await use(folder);
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
-}
-
-/** What the native program makes of a job that the page gave away, on the same picture. */
-function nativeStones(folder, job, picture) {
-  const name = JSON.parse(job).inputs.drawing;
-  copyFileSync(picture, join(folder, name));
-  writeFileSync(join(folder, 'job.json'), job);
-  const output = join(folder, 'native.svg');
-  execFileSync(tessera, ['run', join(folder, 'job.json'), '-o', output, '--backend', 'cpu', '--quiet']);
-  return readFileSync(output, 'utf8');
-}
 
 for (const isolated of [true, false]) {
   const build = isolated ? 'threads' : 'single';
@@ -51,7 +30,7 @@ for (const isolated of [true, false]) {
         assert.match(svg.name, /\.svg$/);
         assert.match((await app.download('DXF')).text, /^\s*0\r?\nSECTION[\s\S]*EOF\s*$/);
         assert.ok((await app.download('PNG')).text.length > 1000);
-        await inFolder((folder) => assertSameStones(svg.text, nativeStones(folder, job.text, picture)));
+        await inFolder((folder) => assertSameStones(svg.text, nativeSvg(folder, job.text, { drawing: readFileSync(picture) })));
       }
     });
   });
@@ -232,22 +211,11 @@ test('twenty jobs in a row need no more memory than the first ones', async (t) =
   });
 });
 
-const looks = [
-  { name: 'desktop-light', colorScheme: 'light' },
-  { name: 'desktop-dark', colorScheme: 'dark' },
-  { name: 'phone-light', colorScheme: 'light', viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
-  { name: 'phone-dark', colorScheme: 'dark', viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
-];
 for (const { name, ...look } of looks) {
   test(`${name}: axe finds no serious violation`, async () => {
     await withApp({ isolated: true, ...look }, async (app, page) => {
       await app.finished();
-      const screenshots = process.env.TESSERA_SCREENSHOTS ?? join(root, 'build/results/screenshots');
-      mkdirSync(screenshots, { recursive: true });
-      await page.screenshot({ path: join(screenshots, `pavement-${name}.png`) });
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-      assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes.map((node) => node.html)]), []);
+      await checkLook(page, `pavement-${name}`);
     });
   });
 }

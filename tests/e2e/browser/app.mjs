@@ -10,7 +10,7 @@ const site = `${root}/web/dist`;
 const patience = { timeout: 120_000 };
 
 /** Opens the app and hands it to `use`; afterwards there may be no complaint on its console and no request abroad. */
-export async function withApp({ isolated, viewport = { width: 1440, height: 900 }, ...options }, use) {
+export async function withApp({ isolated, viewport = { width: 1440, height: 900 }, hash = '', ...options }, use) {
   const host = await serve({ '/': site }, { isolated });
   const browser = await launch();
   const complaints = [];
@@ -26,7 +26,7 @@ export async function withApp({ isolated, viewport = { width: 1440, height: 900 
       if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
     });
     page.on('pageerror', (error) => complaints.push(String(error)));
-    await page.goto(host.address);
+    await page.goto(`${host.address}${hash}`);
     await use(new App(page, host), page);
     assert.deepEqual(complaints, []);
   } finally {
@@ -62,6 +62,13 @@ class App {
     );
   }
 
+  /** Another technique, with the sample that it begins with done. */
+  async openTab(name) {
+    await this.page.getByRole('tab', { name, exact: true }).click();
+    await this.running();
+    await this.finished();
+  }
+
   async open(path) {
     await this.page.getByLabel('Image', { exact: true }).setInputFiles(path);
   }
@@ -81,10 +88,29 @@ class App {
     await input.press('Enter');
   }
 
-  /** The file behind a download link, as text. */
+  /** The file behind a download link. */
   async download(kind) {
     const [download] = await Promise.all([this.page.waitForEvent('download'), this.link(`Download ${kind}`).click()]);
-    return { name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8') };
+    const bytes = await readFile(await download.path());
+    return { name: download.suggestedFilename(), bytes, text: bytes.toString('utf8') };
+  }
+
+  /** Places on the picture, as parts of it, in pixels of the page. The picture lies fitted and centred on the stage. */
+  async onPicture(width, height, places) {
+    const box = await this.page.locator('.stage-canvas').boundingBox();
+    const scale = Math.min((box.width - 48) / width, (box.height - 48) / height, 4);
+    return places.map(([u, v]) => [
+      box.x + box.width / 2 + (u - 0.5) * width * scale,
+      box.y + box.height / 2 + (v - 0.5) * height * scale,
+    ]);
+  }
+
+  /** Presses the mouse at the first place and lets it go at the last. */
+  async drag([first, ...others]) {
+    await this.page.mouse.move(...first);
+    await this.page.mouse.down();
+    for (const place of others) await this.page.mouse.move(...place, { steps: 8 });
+    await this.page.mouse.up();
   }
 
   threads() {

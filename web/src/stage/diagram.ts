@@ -1,7 +1,7 @@
 // A preview of the diagram, ready to draw: its cells, its borders, its sites.
 
 import { kCellBorder, kZoneBorder, type Preview } from 'tessera-wasm';
-import { borderTable, cellTable, pixelsOf, stampSites, type Rgba } from './preview';
+import { borderTable, cellTable, picturedCells, pixelsOf, stampSites, type Rgba } from './preview';
 import type { Context } from './stones';
 import type { Size, View } from './view';
 
@@ -16,6 +16,8 @@ export class Diagram {
     private readonly preview: Preview,
     private readonly scale: number,
     private readonly width: number,
+    /** The picture's pixels in a size. */
+    private readonly picture: (width: number, height: number) => Uint8ClampedArray | null,
   ) {}
 
   /** Over the picture's whole area, which the context's transform has to map to the unit square. */
@@ -33,6 +35,9 @@ export class Diagram {
   }
 
   private cellPixels() {
+    const { palette, width, height } = this.preview;
+    const picture = palette.length === 3 ? this.picture(width, height) : null; // one zone: it has no colours to tell
+    if (picture) return picturedCells(this.preview, picture, kJoint);
     return pixelsOf(this.preview, cellTable(this.preview.palette, kJoint));
   }
 

@@ -2,7 +2,7 @@ import { expect, test, vi } from 'vitest';
 
 // The flags are all that is wanted of the engine here.
 vi.mock('tessera-wasm', () => ({ kZone: 0x3f, kCellBorder: 0x80, kZoneBorder: 0x40 }));
-const { borderTable, cellTable, pixelsOf, stampSites } = await import('./preview');
+const { borderTable, cellTable, picturedCells, pixelsOf, stampSites } = await import('./preview');
 
 const palette = new Uint8Array([0, 0, 0, 200, 100, 50]);
 
@@ -27,4 +27,14 @@ test('sites are dots; those that reach beyond the picture are left out', () => {
   stampSites(pixels, preview, 0.5, [1, 2, 3, 255]);
   const dots = [...new Uint32Array(pixels.buffer)].map((word) => (word === 0xff030201 ? 1 : 0));
   expect(dots).toEqual([0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]);
+});
+
+test('cells without zones take the mean colour of the picture under them', () => {
+  const b = 0x80; // 4 x 2 pixels, two cells of 2 x 2: a border right of the second column, and below as at a picture's end
+  const cells = new Uint8Array([0, b, 0, 0, 0, b, 0, 0]);
+  const grey = (value: number) => [value, value, value, 255];
+  const picture = new Uint8ClampedArray([10, 30, 100, 100, 20, 60, 100, 140].flatMap(grey));
+  const pixels = picturedCells({ cells, width: 4 }, picture, [0, 0, 0, 255]);
+  expect([...pixels].filter((_, i) => i % 4 === 0)).toEqual([30, 12, 110, 110, 30, 12, 110, 110]);
+  expect(pixels[3]).toBe(255);
 });

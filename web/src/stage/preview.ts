@@ -21,6 +21,53 @@ export function cellTable(palette: Uint8Array, joint: Rgba): Uint32Array {
   });
 }
 
+/**
+ * Cells in the mean colour of what they lie on, with joints between them: for a diagram without zones, whose pieces take
+ * their colours from the picture. `picture`: RGBA of the preview's size.
+ */
+export function picturedCells(
+  { cells, width }: Pick<Preview, 'cells' | 'width'>,
+  picture: Uint8ClampedArray,
+  joint: Rgba,
+): Uint8ClampedArray<ArrayBuffer> {
+  const cell = cellsApart(cells, width);
+  const sums = new Uint32Array(4 * cells.length);
+  for (let i = 0; i < cells.length; ++i) {
+    const at = 4 * cell[i]!;
+    for (let c = 0; c < 3; ++c) sums[at + c] = sums[at + c]! + picture[4 * i + c]!;
+    sums[at + 3] = sums[at + 3]! + 1;
+  }
+  const pixels = new Uint8ClampedArray(4 * cells.length);
+  for (let i = 0; i < cells.length; ++i) {
+    const at = 4 * cell[i]!;
+    const part = cells[i]! & kCellBorder ? 0.6 : 0;
+    for (let c = 0; c < 3; ++c) pixels[4 * i + c] = mix(sums[at + c]! / sums[at + 3]!, joint[c]!, part);
+    pixels[4 * i + 3] = 255;
+  }
+  return pixels;
+}
+
+/** A number for each pixel, the same throughout a cell: pixels are joined where no border lies between them. */
+function cellsApart(cells: Uint8Array, width: number): Uint32Array {
+  const root = new Uint32Array(cells.length);
+  const find = (i: number): number => {
+    while (root[i] !== i) i = root[i] = root[root[i]!]!;
+    return i;
+  };
+  for (let i = 0; i < cells.length; ++i) {
+    const left = i % width > 0 && !(cells[i - 1]! & kCellBorder);
+    const above = i >= width && !(cells[i - width]! & kCellBorder);
+    root[i] = left ? find(i - 1) : above ? find(i - width) : i;
+    if (left && above) {
+      const [a, b] = [root[i]!, find(i - width)];
+      root[Math.max(a, b)] = Math.min(a, b);
+      root[i] = Math.min(a, b);
+    }
+  }
+  for (let i = 0; i < cells.length; ++i) root[i] = find(i);
+  return root;
+}
+
 /** Only the borders that have `flag`, to lay over something else. */
 export function borderTable(flag: typeof kCellBorder | typeof kZoneBorder, ink: Rgba): Uint32Array {
   return tableOf((value) => (value & flag ? ink : [0, 0, 0, 0]));

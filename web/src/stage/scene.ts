@@ -22,6 +22,7 @@ export class Scene {
   private diagram: Diagram | null = null; // that the stones were made from
   private live: { id: number; diagram: Diagram } | null = null;
   private fading: { diagram: Diagram; since: number } | null = null;
+  private small: ImageData | null = null; // see sourcePixels()
   private dropped = 0;
   private readonly cache = new StoneCache();
 
@@ -29,7 +30,9 @@ export class Scene {
     if (message.type === 'source') return this.takeSource(message);
     if (message.id <= this.dropped) return;
     if (message.type === 'preview') {
-      const diagram = new Diagram(message.preview, message.scale, this.source?.width ?? 1);
+      const diagram = new Diagram(message.preview, message.scale, this.source?.width ?? 1, (w, h) =>
+        this.sourcePixels(w, h),
+      );
       this.live = { id: message.id, diagram };
       return;
     }
@@ -52,8 +55,22 @@ export class Scene {
     const old = this.source;
     old?.bitmap.close();
     this.source = source;
+    this.small = null;
     if (old?.width === source.width && old.height === source.height) return;
     this.stones = this.diagram = this.live = this.fading = null;
+  }
+
+  /** The source over white, in a diagram's size; kept, as a run shows many diagrams of one size. */
+  private sourcePixels(width: number, height: number): Uint8ClampedArray | null {
+    if (!this.source) return null;
+    if (this.small?.width === width && this.small.height === height) return this.small.data;
+    const context = new OffscreenCanvas(width, height).getContext('2d', { alpha: false, willReadFrequently: true });
+    if (!context) return null;
+    context.fillStyle = '#fff';
+    context.fillRect(0, 0, width, height);
+    context.drawImage(this.source.bitmap, 0, 0, width, height);
+    this.small = context.getImageData(0, 0, width, height);
+    return this.small.data;
   }
 
   pieceUnderPointer(): number {

@@ -7,23 +7,26 @@ import { changeParams } from './edits';
 import { parseValue, type Params } from './form';
 import { readHash, writeHash, type Address } from './hash';
 import { sampleNamed, useSample } from './pictures';
-import { historyOf } from './history';
 import { runSoon } from './runner';
-import { alertWith, edits, fields, params, picture, seed, technique } from './store';
+import { alertWith, edits, entry, fields, freshEdits, params, picture, seed, technique } from './store';
+import { switchTo } from './tabs';
 
 const kPause = 250; // ms; browsers refuse a page that writes the address at every step of a slider
 
 /** The job that the address names, or the first sample with all defaults. */
 export async function openAddress(): Promise<void> {
   const address = readHash(location.hash);
-  const name = address.technique ?? technique.value;
-  if (entryOf(name) && schema.$defs[name]) technique.value = name;
+  followTechnique(address);
   const { known, foreign } = paramsOf(address);
-  const sample = sampleNamed(address.sample) ?? sampleNamed('waves');
+  const sample = sampleNamed(address.sample) ?? entry.value.samples[0];
   const fresh = location.hash === '';
-  edits.value = historyOf({ params: fresh ? (sample?.params ?? {}) : known, seed: address.seed ?? 1 });
+  edits.value = freshEdits(fresh ? (sample?.params ?? {}) : known, address.seed ?? 1);
   if (sample) await useSample(sample, true);
   if (foreign.length) alertWith(`The address has ${foreign.join(', ')}, which cannot be used here and was left out.`);
+}
+
+function followTechnique({ technique: name }: Address): void {
+  if (name && entryOf(name) && schema.$defs[name]) switchTo(name);
 }
 
 function paramsOf(address: Address): { known: Params; foreign: string[] } {
@@ -48,6 +51,7 @@ export function bindAddress(): void {
   });
   addEventListener('hashchange', () => {
     const address = readHash(location.hash);
+    followTechnique(address);
     const { known, foreign } = paramsOf(address);
     const sample = sampleNamed(address.sample);
     changeParams(known, address.seed ?? 1);

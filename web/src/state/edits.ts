@@ -4,14 +4,17 @@ import type { ParameterValue } from 'tessera-wasm';
 import { sameParams, withValue, type Field, type Params } from './form';
 import { push, redo as redone, undo as undone } from './history';
 import { runSoon } from './runner';
-import { edits, problems } from './store';
+import { isNothing, kNothingDrawn, type Drawn } from './drawn';
+import { edits, problems, type Edits } from './store';
 
 /** The control that is being moved or typed into: all it does until it is let go is undone together. */
 let moving = '';
 
-function change(key: string, next: { params: Params; seed: number }): boolean {
+function change(key: string, part: Partial<Edits>): boolean {
   const { present } = edits.value;
-  if (next.seed === present.seed && sameParams(next.params, present.params)) return false;
+  const next = { ...present, ...part };
+  const { seed, drawn, params } = present;
+  if (next.seed === seed && next.drawn === drawn && sameParams(next.params, params)) return false;
   edits.value = push(edits.value, next, key !== '' && key === moving);
   moving = key;
   return true;
@@ -23,12 +26,12 @@ export const endStep = () => {
 };
 
 export function changeValue(field: Field, value: ParameterValue): void {
-  const { params, seed } = edits.value.present;
-  if (change(field.key, { params: withValue(params, field, value), seed })) runSoon();
+  const { params } = edits.value.present;
+  if (change(field.key, { params: withValue(params, field, value) })) runSoon();
 }
 
 export function changeSeed(seed: number): void {
-  if (change('seed', { params: edits.value.present.params, seed })) runSoon();
+  if (change('seed', { seed })) runSoon();
 }
 
 /** Many at once, as one step. Does not run. */
@@ -37,7 +40,17 @@ export function changeParams(params: Params, seed = edits.value.present.seed): v
 }
 
 export function choosePreset(params: Params): void {
-  if (change('', { params, seed: edits.value.present.seed })) runSoon();
+  if (change('', { params })) runSoon();
+}
+
+/** `key` names what is being moved, as a field's does. */
+export function changeDrawn(part: Partial<Drawn>, key = ''): void {
+  if (change(key, { drawn: { ...edits.value.present.drawn, ...part } })) runSoon();
+}
+
+/** What was drawn belongs to the picture that it was drawn on. Does not run. */
+export function dropDrawn(): void {
+  if (!isNothing(edits.value.present.drawn)) change('', { drawn: kNothingDrawn });
 }
 
 export const undo = () => step(undone(edits.value));

@@ -4,7 +4,15 @@
 
 import type { Job, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
-import type { EngineInfo, FromEngine, Graphics, RunRequest, ToEngine, ToPainter } from '../worker/protocol';
+import type {
+  ColourCount,
+  EngineInfo,
+  FromEngine,
+  Graphics,
+  RunRequest,
+  ToEngine,
+  ToPainter,
+} from '../worker/protocol';
 
 // ms that a run may take to stop. The page shows it as cancelled at once; a fresh engine would take longer than this.
 const kPatience = 300;
@@ -20,7 +28,7 @@ export interface RunEvents {
 }
 
 export type RunEnd =
-  | { kind: 'done'; result: RunResult; milliseconds: number }
+  | { kind: 'done'; result: RunResult; milliseconds: number; colours: readonly ColourCount[] }
   | { kind: 'problems'; problems: readonly Problem[] }
   | { kind: 'cancelled' };
 
@@ -28,7 +36,7 @@ type Answer = Extract<FromEngine, { id: number }>;
 type Question = Extract<ToEngine, { id: number }>;
 
 interface Picture {
-  role: string;
+  slot: string;
   name: string;
   blob: Blob;
 }
@@ -47,7 +55,7 @@ export class EngineClient {
   private last = 0; // run
   private stopping: Promise<void> | null = null;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
-  private kept: Picture | null = null;
+  private readonly kept = new Map<string, Picture>(); // by slot
   /** Pictures that the worker is about to open, by the question's number. */
   private readonly opening = new Map<number, Picture>();
   private running: { id: number; end: (end: RunEnd) => void; stopped: () => void } | null = null;
@@ -121,13 +129,13 @@ export class EngineClient {
     this.onBroken(sentence);
   }
 
-  /** A fresh engine with the same picture. What was going on in the old one is over; what waited for it waits on. */
+  /** A fresh engine with the same pictures. What was going on in the old one is over; what waited for it waits on. */
   restart(): void {
     this.worker.terminate();
     if (this.state === 'up') this.giveUp('It was interrupted. Try again.');
     this.start();
-    if (this.queue.length || this.kept) void this.boot();
-    if (this.kept) this.send({ type: 'picture', id: this.nextId++, ...this.kept });
+    if (this.queue.length || this.kept.size) void this.boot();
+    for (const picture of this.kept.values()) this.send({ type: 'picture', id: this.nextId++, ...picture });
     for (const [id, picture] of this.opening) this.send({ type: 'picture', id, ...picture });
   }
 
@@ -150,9 +158,9 @@ export class EngineClient {
     this.worker.postMessage(message, transfer);
   }
 
-  /** The picture for the runs that follow; rejects with a message for people where it cannot be used. */
-  setPicture(role: string, name: string, blob: Blob): Promise<{ width: number; height: number }> {
-    const picture = { role, name, blob };
+  /** A picture for the runs that follow; rejects with a message for people where it cannot be used. */
+  setPicture(slot: string, name: string, blob: Blob): Promise<{ width: number; height: number }> {
+    const picture = { slot, name, blob };
     const id = this.nextId++;
     return new Promise((resolve, reject) => {
       this.opening.set(id, picture);
@@ -160,7 +168,7 @@ export class EngineClient {
         this.waiting.delete(id);
         this.opening.delete(id);
         if (answer.type === 'picture') {
-          this.kept = picture;
+          this.kept.set(slot, picture);
           resolve(answer);
         } else {
           reject(new Error(answer.type === 'refused' ? answer.message : 'The picture cannot be read.'));

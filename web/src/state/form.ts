@@ -53,7 +53,7 @@ export function fieldsOf(schema: JobSchema, technique: string): Field[] {
 }
 
 function fieldOf(key: string, property: ParameterSchema): Field {
-  const [base = '', sub = ''] = (property['x-symbol'] ?? '').split('_');
+  const [base = '', sub = ''] = greek(property['x-symbol'] ?? '').split('_');
   const unit = property['x-unit'] ?? '';
   const common: FieldBase = {
     key,
@@ -71,6 +71,10 @@ function fieldOf(key: string, property: ParameterSchema): Field {
   if (property.type === 'string') return { ...common, kind: 'text', fallback: String(property.default) };
   return { ...common, kind: 'number', ...rangeOf(property) };
 }
+
+const kGreek: Readonly<Record<string, string>> = { alpha: 'α', beta: 'β', delta: 'δ', '^2': '²' };
+
+const greek = (symbol: string) => symbol.replace(/alpha|beta|delta|\^2/g, (word) => kGreek[word] ?? word);
 
 function rangeOf(property: ParameterSchema) {
   const whole = property.type === 'integer';

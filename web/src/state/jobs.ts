@@ -1,13 +1,13 @@
 // Opening a job, from JSON or from an SVG that Tessera made.
 
-import { batch } from '@preact/signals';
 import { entryOf } from '../techniques/index';
-import { changeParams } from './edits';
+import { changeParams, dropDrawn } from './edits';
 import { differing } from './form';
 import { client } from './page';
 import { sampleNamed, useSample } from './pictures';
 import { generate } from './runner';
-import { alertWith, fields, inputRole, picture, technique } from './store';
+import { alerts, alertWith, drawn, fields, inputRole, picture } from './store';
+import { switchTo } from './tabs';
 
 export async function openJob(file: File): Promise<void> {
   const answer = await client.readJob(await file.text());
@@ -18,16 +18,34 @@ export async function openJob(file: File): Promise<void> {
   }
   if (!entryOf(answer.technique))
     return alertWith(`“${file.name}” is a job of ${answer.technique}, which is not there yet.`);
-  batch(() => {
-    technique.value = answer.technique;
-    changeParams(differing(fields.value, answer.params), answer.seed);
-  });
-  await findPicture(answer.inputs[inputRole.value]);
+  switchTo(answer.technique);
+  changeParams(differing(fields.value, answer.params), answer.seed);
+  const { [inputRole.value]: path, ...others } = answer.inputs;
+  if (!sameDrawn(others)) dropDrawn();
+  await findPicture(path);
+  const lost = sameDrawn(others) ? [] : Object.values(others).map((other) => `“${nameOf(other)}”`);
+  if (lost.length)
+    alertWith(
+      ...alerts.value,
+      `The job was made with ${lost.join(' and ')}, which a page cannot open by itself: it runs without. Draw again what ` +
+        'was there, or run the job with the command line.',
+    );
 }
+
+/** Whether the job was made with what is drawn here now. */
+function sameDrawn(inputs: Readonly<Record<string, string>>): boolean {
+  const { edges, regions, ...others } = inputs;
+  const { guides, regions: strokes } = drawn.value;
+  return (
+    !Object.keys(others).length && Boolean(edges) === guides.length > 0 && Boolean(regions) === strokes.length > 0
+  );
+}
+
+const nameOf = (path: string | undefined) => path?.split(/[\\/]/).at(-1);
 
 /** A page cannot open a path; but it may have the picture already, or among its samples. */
 async function findPicture(path: string | undefined): Promise<void> {
-  const name = path?.split(/[\\/]/).at(-1);
+  const name = nameOf(path);
   const sample = name ? sampleNamed(name) : undefined;
   if (!name || name === picture.value?.name) return generate();
   if (sample) return useSample(sample, true);

@@ -2,7 +2,7 @@
 
 import { redo, undo } from './edits';
 import { undoStroke } from './sketch';
-import { sketching } from './store';
+import { tool } from './store';
 
 const kTextTypes = new Set(['text', 'search', 'email', 'url']);
 
@@ -17,7 +17,7 @@ export function bindKeys(): void {
     const forth = (key === 'z' && event.shiftKey) || key === 'y';
     if (!back && !forth) return;
     event.preventDefault();
-    if (sketching.value) back && undoStroke();
+    if (tool.value === 'sketch') back && undoStroke();
     else if (back) undo();
     else redo();
   });

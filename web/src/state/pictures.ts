@@ -2,8 +2,9 @@
 
 import { client } from './page';
 import { forgetOutcome, generate, prepare, stop } from './runner';
-import { alertWith, edits, entry, inputRole, opening, picture, run, type PictureInfo } from './store';
-import { changeParams } from './edits';
+import { kPicture } from '../worker/protocol';
+import { alertWith, edits, entry, opening, picture, run, type PictureInfo } from './store';
+import { changeParams, dropDrawn } from './edits';
 import type { Sample } from '../techniques/entry';
 
 /** The engine's formats that carry a job, and what people call them. */
@@ -20,7 +21,7 @@ async function take(fetched: Blob | Promise<Blob>, name: string, sample: string 
   try {
     const [blob] = await Promise.all([fetched, stopped]);
     if (mine !== newest) return false;
-    const size = await client.setPicture(inputRole.value, name, blob);
+    const size = await client.setPicture(kPicture, name, blob);
     if (mine !== newest) return false;
     const old = picture.value;
     if (old?.width !== size.width || old.height !== size.height) forgetOutcome();
@@ -38,14 +39,16 @@ async function take(fetched: Blob | Promise<Blob>, name: string, sample: string 
 }
 
 export async function usePicture(blob: Blob, name: string): Promise<void> {
-  if (await take(blob, name, null)) generate();
+  if (!(await take(blob, name, null))) return;
+  dropDrawn();
+  generate();
 }
 
-/** What a sample wants comes with it, and goes with it: four colours for a picture in four. */
-export async function useSample(sample: Sample, keepParams = false): Promise<void> {
+/** What a sample wants comes with it, and goes with it: four colours for a picture in four. `keep`: it does not. */
+export async function useSample(sample: Sample, keep = false): Promise<void> {
   const name = sample.file.slice(sample.file.lastIndexOf('/') + 1);
   if (!(await take(fetchSample(sample), name, sample.name))) return;
-  if (!keepParams) followSample(sample);
+  if (!keep) followSample(sample);
   generate();
 }
 
@@ -64,6 +67,7 @@ function followSample(sample: Sample): void {
   const named = new Set(entry.value.samples.flatMap((s) => Object.keys(s.params ?? {})));
   for (const key of named) delete own[key];
   changeParams({ ...own, ...sample.params });
+  dropDrawn();
 }
 
 export const sampleNamed = (name: string | null): Sample | undefined =>

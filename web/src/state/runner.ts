@@ -3,13 +3,19 @@
 import { batch } from '@preact/signals';
 import type { Job, Problem } from 'tessera-wasm';
 import { schema } from 'tessera-wasm/description';
+import { kPicture } from '../worker/protocol';
+import { drawnPictures, type DrawnPicture } from './drawn';
+import { endingOf, kFiles } from './files';
 import { valueOf } from './form';
+import type { Size } from '../stage/view';
 import { client } from './page';
 import { reducedJob, reductionFor } from './reduce';
 import {
   alerts,
+  alertWith,
   backend,
   clearAlerts,
+  drawn,
   entry,
   fields,
   inputRole,
@@ -27,19 +33,21 @@ import {
 } from './store';
 
 const kPause = 150; // ms of peace before a changed parameter runs
-const kFormats = ['svg', 'dxf', 'png', 'glb', 'zip'];
 
 let newest = 0;
 let timer = 0;
 
 /** Complete, so that it means the same where defaults are others. */
-function currentJob(): Job {
+function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
   return {
     schemaVersion: 1,
     technique: technique.value,
     seed: seed.value,
     params: Object.fromEntries(fields.value.map((field) => [field.key, valueOf(field, params.value)])),
-    inputs: picture.value ? { [inputRole.value]: picture.value.name } : {},
+    inputs: {
+      ...(picture.value && { [inputRole.value]: picture.value.name }),
+      ...Object.fromEntries(drawnOnes.map(({ role, name }) => [role, name])),
+    },
   };
 }
 
@@ -87,14 +95,36 @@ async function start(quick: boolean): Promise<void> {
     run.value = null;
     return;
   }
-  const job = currentJob();
+  let drawnOnes: DrawnPicture[];
+  try {
+    drawnOnes = await takeDrawn(picture.value);
+  } catch (error) {
+    if (mine !== newest) return;
+    run.value = null;
+    return alertWith(error instanceof Error ? error.message : String(error));
+  }
+  if (mine !== newest) return;
+  const job = currentJob(drawnOnes);
   const part = quick ? reductionFor(picture.value.width, picture.value.height) : 1;
-  if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part))) return;
-  await attempt(mine, job, 1);
+  if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part, []))) return;
+  await attempt(mine, job, 1, drawnOnes);
+}
+
+const sent = new Map<string, Blob>(); // by slot
+
+/** What is drawn over the picture now, as pictures that the engine has. */
+async function takeDrawn(size: Size): Promise<DrawnPicture[]> {
+  const pictures = await drawnPictures(drawn.value, size);
+  for (const { role, name, blob } of pictures) {
+    if (sent.get(role) === blob) continue;
+    await client.setPicture(role, name, blob);
+    sent.set(role, blob);
+  }
+  return pictures;
 }
 
 /** True where it ran to its end and is still wanted. */
-async function attempt(mine: number, job: Job, scale: number): Promise<boolean> {
+async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonly DrawnPicture[]): Promise<boolean> {
   if (mine !== newest) return false;
   const reduced = scale < 1;
   batch(() => {
@@ -104,16 +134,20 @@ async function attempt(mine: number, job: Job, scale: number): Promise<boolean> 
   const update = (change: Partial<NonNullable<typeof run.value>>) => {
     if (mine === newest && run.value) run.value = { ...run.value, ...change };
   };
-  const formats = kFormats.filter((format) => known.value?.formats.includes(format));
+  const formats = kFiles.map(({ format }) => format).filter((format) => known.value?.formats.includes(format));
+  const inputs = Object.fromEntries(
+    Object.keys(job.inputs).map((role) => [role, role === inputRole.value ? kPicture : role]),
+  );
   const baseName = `${(picture.value?.name ?? 'drawing').replace(/\.[^.]*$/, '')}-${job.technique}`;
   const end = await client.run(
-    { job, backend: backend.value, scale, formats },
+    { job, inputs, backend: backend.value, scale, formats },
     {
       stage: (stage) => update({ stage }),
       progress: (fraction) => update({ fraction }),
       iteration: (index, last) => update({ iteration: { index, last } }),
       warning: (message) => mine === newest && (notice.value = message),
-      file: (format, blob) => outcome.value?.job === job && addFile(format, { blob, name: `${baseName}.${format}` }),
+      file: (format, blob) =>
+        outcome.value?.job === job && addFile(format, { blob, name: `${baseName}.${endingOf(format)}` }),
     },
   );
   if (mine !== newest) return false;
@@ -121,9 +155,10 @@ async function attempt(mine: number, job: Job, scale: number): Promise<boolean> 
     run.value = null;
     if (end.kind === 'done') {
       forgetFiles();
-      const { result, milliseconds } = end;
-      outcome.value = { job, result, milliseconds, reduced, files: {} };
-      if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.json` });
+      const { result, milliseconds, colours } = end;
+      outcome.value = { job, result, milliseconds, reduced, colours, files: {} };
+      if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.${endingOf('job')}` });
+      for (const { role, ...file } of drawnOnes) addFile(role, file);
     } else if (end.kind === 'problems') {
       showProblems(end.problems);
     }

@@ -1,15 +1,9 @@
 // The sheet that the brush draws on. Each stroke becomes stones as soon as it is drawn.
 
 import { signal } from '@preact/signals';
-import type { Point } from '../stage/view';
 import { usePicture } from './pictures';
-import { sketching } from './store';
-
-export interface Stroke {
-  width: number; // px of the sheet
-  erase: boolean;
-  points: readonly Point[];
-}
+import { drawStroke, type Stroke } from './strokes';
+import { tool } from './store';
 
 export const kSheet = { width: 1200, height: 800 };
 export const kBrushes = [
@@ -21,21 +15,6 @@ export const kBrushes = [
 export const strokes = signal<readonly Stroke[]>([]);
 export const brush = signal<number>(kBrushes[1].width);
 export const erasing = signal(false);
-
-type Context2D = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
-
-export function drawStroke(context: Context2D, { width, erase, points }: Stroke): void {
-  const [first, ...others] = points;
-  if (!first) return;
-  context.strokeStyle = erase ? '#fff' : '#000';
-  context.lineWidth = width;
-  context.lineCap = context.lineJoin = 'round';
-  context.beginPath();
-  context.moveTo(first.x, first.y);
-  context.lineTo(first.x, first.y); // a dot is a stroke, too
-  for (const { x, y } of others) context.lineTo(x, y);
-  context.stroke();
-}
 
 async function useSheet(): Promise<void> {
   const canvas = new OffscreenCanvas(kSheet.width, kSheet.height);
@@ -54,7 +33,7 @@ function setStrokes(next: readonly Stroke[]): void {
 
 /** With the sheet as it was left, or an empty one. */
 export function startSketch(): void {
-  sketching.value = true;
+  tool.value = 'sketch';
   void useSheet();
 }
 

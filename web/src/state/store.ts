@@ -4,17 +4,23 @@ import { computed, signal } from '@preact/signals';
 import type { Job, RunResult } from 'tessera-wasm';
 import { schema, techniques } from 'tessera-wasm/description';
 import { pavement } from '../techniques/pavement';
+import type { Tool } from '../techniques/entry';
 import { entryOf } from '../techniques/index';
 import type { Size } from '../stage/view';
-import type { Backend, EngineInfo, Graphics, PieceFacts } from '../worker/protocol';
+import type { Backend, ColourCount, EngineInfo, Graphics, PieceFacts } from '../worker/protocol';
 import { fieldsOf, type Params } from './form';
+import { kNothingDrawn, type Drawn } from './drawn';
 import { historyOf, type History } from './history';
 
 /** What undo and redo walk through. */
 export interface Edits {
   params: Params;
   seed: number;
+  drawn: Drawn;
 }
+
+export const freshEdits = (params: Params = {}, seed = 1): History<Edits> =>
+  historyOf({ params, seed, drawn: kNothingDrawn });
 
 export interface PictureInfo extends Size {
   name: string;
@@ -41,6 +47,7 @@ export interface Outcome {
   result: RunResult;
   milliseconds: number;
   reduced: boolean;
+  colours: readonly ColourCount[];
   /** By format; grows while the files are made. */
   files: Readonly<Record<string, FileLink>>;
 }
@@ -50,7 +57,7 @@ export const engine = signal<EngineInfo | null>(null);
 /** What draws where a graphics card is asked for; null until that has been looked for. */
 export const graphics = signal<Graphics | null>(null);
 export const technique = signal(pavement.name);
-export const edits = signal<History<Edits>>(historyOf({ params: {}, seed: 1 }));
+export const edits = signal<History<Edits>>(freshEdits());
 export const picture = signal<PictureInfo | null>(null);
 /** A picture is on its way; it runs as soon as it is there. */
 export const opening = signal(false);
@@ -63,12 +70,14 @@ export const alerts = signal<readonly string[]>([]);
 export const problems = signal<Readonly<Record<string, string>>>({});
 export const backend = signal<Backend>('auto');
 export const piece = signal<PieceFacts | null>(null);
-export const sketching = signal(false);
+/** What the pointer does on the stage instead of moving it. */
+export const tool = signal<Tool | null>(null);
 
 export const entry = computed(() => entryOf(technique.value) ?? pavement);
 export const fields = computed(() => fieldsOf(schema, technique.value));
 export const params = computed(() => edits.value.present.params);
 export const seed = computed(() => edits.value.present.seed);
+export const drawn = computed(() => edits.value.present.drawn);
 /** The engine's word on the technique. */
 export const known = computed(() => techniques.find((t) => t.name === technique.value));
 export const inputRole = computed(() => known.value?.inputs[0]?.name ?? 'drawing');

@@ -1,6 +1,7 @@
 import type { RunResult } from 'tessera-wasm';
 import type { ComponentType } from 'preact';
 import type { Params } from '../state/form';
+import type { Layer } from '../worker/protocol';
 
 export interface Sample {
   name: string;
@@ -10,6 +11,9 @@ export interface Sample {
   /** Parameters that this picture wants. */
   params?: Params;
 }
+
+/** What else than a file makes a picture, or is drawn over it. */
+export type Tool = 'sketch' | 'word' | 'guides' | 'regions';
 
 export interface Preset {
   title: string;
@@ -24,6 +28,11 @@ export interface TechniqueEntry {
   title: string;
   sentence: string;
   icon: ComponentType;
+  /** What its pieces are: "stones". */
+  pieces: string;
+  tools: readonly Tool[];
+  /** What the stage can show of it. */
+  layers: readonly Layer[];
   samples: readonly Sample[];
   presets: readonly Preset[];
   /** What the engine's stages are called while they go on. */

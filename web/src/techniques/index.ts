@@ -1,7 +1,8 @@
 // The tabs, in order. A technique that the engine does not have yet is shown, and says so.
 
 import type { TechniqueEntry } from './entry';
-import { MosaicIcon, ParquetryIcon, PatternIcon, PebblesIcon } from './icons';
+import { ParquetryIcon, PatternIcon, PebblesIcon } from './icons';
+import { mosaic } from './mosaic';
 import { pavement } from './pavement';
 
 const planned = (name: string, title: string, sentence: string, icon: TechniqueEntry['icon']): TechniqueEntry => ({
@@ -9,6 +10,9 @@ const planned = (name: string, title: string, sentence: string, icon: TechniqueE
   title,
   sentence,
   icon,
+  pieces: 'pieces',
+  tools: [],
+  layers: [],
   samples: [],
   presets: [],
   stages: {},
@@ -17,7 +21,7 @@ const planned = (name: string, title: string, sentence: string, icon: TechniqueE
 
 export const techniques: readonly TechniqueEntry[] = [
   pavement,
-  planned('mosaic', 'Mosaic', 'A decorative mosaic of oriented tiles.', MosaicIcon),
+  mosaic,
   planned('pebbles', 'Pebbles', 'A photo of gravel as a field of solid pebbles.', PebblesIcon),
   planned('pattern', 'Pattern', 'Random patterns by their mathematics.', PatternIcon),
   planned('parquetry', 'Parquetry', 'A picture cut from real wood.', ParquetryIcon),

@@ -1,8 +1,11 @@
-import { Download } from 'lucide-preact';
+import { useSignal } from '@preact/signals';
+import { ChevronDown, Download } from 'lucide-preact';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { kFiles, type FileKind } from '../state/files';
 import { entry, engine, known, notice, outcome, run, type Outcome, type Run } from '../state/store';
 import { timeLeft } from './time-left';
 
-const kFormats = ['svg', 'dxf', 'png', 'glb', 'zip'];
 const kStages: Record<string, string> = { picture: 'Opening the picture' };
 const seconds = new Intl.NumberFormat('en', { maximumFractionDigits: 1 });
 
@@ -65,25 +68,74 @@ function Done({ outcome: { result, milliseconds } }: { outcome: Outcome }) {
 const Waiting = () => <span>{notice.value || 'Ready'}</span>;
 
 function Downloads() {
-  const formats = [...kFormats.filter((format) => known.value?.formats.includes(format)), 'job'];
-  const files = run.value ? {} : (outcome.value?.files ?? {});
+  const made = new Set([...(known.value?.formats ?? []), 'job', ...Object.keys(files())]);
+  const offered = kFiles.filter(({ format }) => made.has(format));
   return (
     <div class="downloads">
-      {formats.map((format) => {
-        const word = format === 'job' ? format : format.toUpperCase();
-        const file = files[format];
-        return file ? (
-          <a key={format} class="download" href={file.address} download={file.name} aria-label={`Download ${word}`}>
-            <Download size={15} aria-hidden />
-            {word}
-          </a>
-        ) : (
-          <span key={format} class="download pending" aria-hidden="true">
-            <Download size={15} aria-hidden />
-            {word}
-          </span>
-        );
-      })}
+      {offered.map((kind) => kind.more || <DownloadLink key={kind.format} kind={kind} />)}
+      <More>{offered.map((kind) => kind.more && <DownloadLink key={kind.format} kind={kind} />)}</More>
+    </div>
+  );
+}
+
+const files = () => (run.value ? {} : (outcome.value?.files ?? {}));
+
+function DownloadLink({ kind: { format, title, short = title } }: { kind: FileKind }) {
+  const file = files()[format];
+  const inside = (
+    <>
+      <Download size={15} aria-hidden />
+      {short}
+    </>
+  );
+  return file ? (
+    <a class="download" href={file.address} download={file.name} aria-label={`Download ${title}`} title={file.name}>
+      {inside}
+    </a>
+  ) : (
+    <span class="download pending" aria-hidden="true">
+      {inside}
+    </span>
+  );
+}
+
+/** The rest, in a small box above the bar; a press beside it or Escape folds it away. */
+function More({ children }: { children: ComponentChildren }) {
+  const open = useSignal(false);
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (!open.value) return;
+    const aborter = new AbortController();
+    const outside = (event: Event) => {
+      if (!box.current?.contains(event.target as Node)) open.value = false;
+    };
+    addEventListener('pointerdown', outside, { signal: aborter.signal });
+    return () => aborter.abort();
+  }, [open.value]);
+  return (
+    <div
+      ref={box}
+      class="more-files"
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape') return;
+        open.value = false;
+        box.current?.querySelector('button')?.focus();
+      }}
+    >
+      <button
+        type="button"
+        class="download"
+        aria-label="More downloads"
+        aria-expanded={open.value}
+        aria-controls="more-files"
+        onClick={() => (open.value = !open.value)}
+      >
+        More
+        <ChevronDown size={15} aria-hidden />
+      </button>
+      <div id="more-files" class="more-files-list tool-group" hidden={!open.value}>
+        {children}
+      </div>
     </div>
   );
 }

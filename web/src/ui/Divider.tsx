@@ -28,7 +28,7 @@ function onMove(event: PointerEvent & { currentTarget: HTMLElement }): void {
   if (box) set((event.clientX - box.left) / box.width);
 }
 
-/** Drag it over the stage: the drawing on its left, the pieces on its right. */
+/** Drag it over the stage: the picture on its left, the pieces on its right. */
 export function Divider() {
   const percent = Math.round(divider.value * 100);
   return (
@@ -53,7 +53,7 @@ export function Divider() {
         aria-valuemax={100}
         aria-valuenow={percent}
         aria-valuetext={`${percent}% before`}
-        title="Drag to compare with the drawing"
+        title="Drag to compare with the picture"
         style={{ left: `clamp(22px, ${divider.value * 100}%, calc(100% - 22px))` }}
         onKeyDown={onKey}
         onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}

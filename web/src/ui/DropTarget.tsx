@@ -3,10 +3,10 @@ import { ImageUp } from 'lucide-preact';
 import { useEffect } from 'preact/hooks';
 import { openJob } from '../state/jobs';
 import { isJobFile, usePicture } from '../state/pictures';
-import { sketching } from '../state/store';
+import { tool } from '../state/store';
 
 async function takeFile(file: File): Promise<void> {
-  sketching.value = false;
+  tool.value = null;
   await (isJobFile(file) ? openJob(file) : usePicture(file, file.name || 'pasted.png'));
 }
 

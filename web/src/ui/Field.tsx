@@ -5,6 +5,7 @@ import type { ParameterValue } from 'tessera-wasm';
 import { changeValue, endStep } from '../state/edits';
 import { valueOf, type ChoiceField, type Field as FieldModel, type NumberField } from '../state/form';
 import { params, problems } from '../state/store';
+import { PaletteEditor } from './PaletteEditor';
 
 interface ControlProps<F extends FieldModel> {
   field: F;
@@ -47,7 +48,8 @@ export function Field({ field }: { field: FieldModel }) {
           {...ties}
         />
       )}
-      {field.kind === 'text' && (
+      {field.kind === 'text' && field.key === 'palette' && <PaletteEditor field={field} value={value} ties={ties} />}
+      {field.kind === 'text' && field.key !== 'palette' && (
         <input
           id={id}
           type="text"

@@ -1,16 +1,18 @@
 import { useSignal } from '@preact/signals';
 import { Layers as LayersIcon } from 'lucide-preact';
 import { layers, toggleLayer } from '../stage/viewport';
-import { kLayers, type Layer } from '../worker/protocol';
+import { entry } from '../state/store';
+import type { Layer } from '../worker/protocol';
 
-const kTitles: Record<Layer, string> = {
+const kTitles: Record<Exclude<Layer, 'stones'>, string> = {
   source: 'Source',
   edges: 'Edges',
   direction: 'Direction field',
   sites: 'Sites',
   cells: 'Cells',
-  stones: 'Stones',
 };
+
+const capital = (word: string) => word.charAt(0).toUpperCase() + word.slice(1);
 
 export function LayerSwitches() {
   const open = useSignal(false); // matters on a phone only
@@ -27,7 +29,7 @@ export function LayerSwitches() {
         Layers
       </button>
       <div id="layers" class="layers-list" role="group" aria-label="Layers">
-        {kLayers.map((layer) => (
+        {entry.value.layers.map((layer) => (
           <button
             type="button"
             key={layer}
@@ -35,7 +37,7 @@ export function LayerSwitches() {
             aria-pressed={layers.value[layer]}
             onClick={() => toggleLayer(layer)}
           >
-            {kTitles[layer]}
+            {layer === 'stones' ? capital(entry.value.pieces) : kTitles[layer]}
           </button>
         ))}
       </div>

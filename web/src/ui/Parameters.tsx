@@ -67,7 +67,7 @@ function SeedField() {
           />
         )}
         <Help id="seed-help" title="seed">
-          Start of the random numbers. The same seed lays the same stones.
+          Start of the random numbers. The same seed lays the same {entry.value.pieces}.
         </Help>
       </div>
       <div class="seed">

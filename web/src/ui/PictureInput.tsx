@@ -1,9 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { Brush, ImageUp, Type } from 'lucide-preact';
+import { Brush, ImageUp, Paintbrush, Spline, Type } from 'lucide-preact';
 import { usePicture, useSample } from '../state/pictures';
 import { startSketch } from '../state/sketch';
-import { entry, picture, sketching } from '../state/store';
+import { entry, picture, tool } from '../state/store';
 import { useWord } from '../state/word';
 
 export const kPictureTypes = 'image/png,image/jpeg,image/webp,image/bmp,image/gif,image/tiff,.tif,.tiff';
@@ -20,27 +20,25 @@ export function PictureInput() {
           <ImageUp size={20} aria-hidden />
           Image
         </label>
-        <button
-          type="button"
-          class="source"
-          aria-pressed={sketching.value}
-          onClick={() => (sketching.value ? (sketching.value = false) : startSketch())}
-        >
-          <Brush size={20} aria-hidden />
-          Draw
-        </button>
-        <button
-          type="button"
-          class="source"
-          aria-expanded={typing.value}
-          aria-controls="word"
-          onClick={() => (typing.value = !typing.value)}
-        >
-          <Type size={20} aria-hidden />
-          Type
-        </button>
+        {entry.value.tools.map((name) =>
+          name === 'word' ? (
+            <button
+              type="button"
+              key={name}
+              class="source"
+              aria-expanded={typing.value}
+              aria-controls="word"
+              onClick={() => (typing.value = !typing.value)}
+            >
+              <Type size={20} aria-hidden />
+              Type
+            </button>
+          ) : (
+            <ToolButton key={name} name={name} />
+          ),
+        )}
       </div>
-      {typing.value && <WordField />}
+      {typing.value && entry.value.tools.includes('word') && <WordField />}
       <div class="samples" role="group" aria-label="Samples">
         {entry.value.samples.map((sample) => (
           <button
@@ -49,7 +47,7 @@ export function PictureInput() {
             class="sample"
             aria-pressed={picture.value?.sample === sample.name}
             onClick={() => {
-              sketching.value = false;
+              tool.value = null;
               void useSample(sample);
             }}
           >
@@ -71,11 +69,34 @@ export function PictureInput() {
   );
 }
 
+const kTools = {
+  sketch: { title: 'Draw', hint: 'Draw the picture with a brush', Icon: Brush },
+  guides: { title: 'Curves', hint: 'Draw curves that the rows of tiles follow', Icon: Spline },
+  regions: { title: 'Sizes', hint: 'Paint where tiles are large and where small', Icon: Paintbrush },
+};
+
+function ToolButton({ name }: { name: keyof typeof kTools }) {
+  const { title, hint, Icon } = kTools[name];
+  const start = () => (name === 'sketch' ? startSketch() : (tool.value = name));
+  return (
+    <button
+      type="button"
+      class="source"
+      title={hint}
+      aria-pressed={tool.value === name}
+      onClick={() => (tool.value === name ? (tool.value = null) : start())}
+    >
+      <Icon size={20} aria-hidden />
+      {title}
+    </button>
+  );
+}
+
 async function onFile(event: Event & { currentTarget: HTMLInputElement }): Promise<void> {
   const input = event.currentTarget;
   const file = input.files?.[0];
   if (!file) return;
-  sketching.value = false;
+  tool.value = null;
   await usePicture(file, file.name);
   input.value = ''; // so that the same file can be chosen again
 }
@@ -90,7 +111,7 @@ function WordField() {
       class="word"
       onSubmit={(event) => {
         event.preventDefault();
-        sketching.value = false;
+        tool.value = null;
         void useWord(text.value);
       }}
     >

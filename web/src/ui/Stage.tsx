@@ -1,20 +1,28 @@
+import type { ComponentType } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { painter } from '../state/page';
-import { entry, outcome, picture, sketching } from '../state/store';
+import { entry, outcome, picture, tool } from '../state/store';
 import { listenToGestures } from '../stage/gestures';
 import { stageSize } from '../stage/viewport';
+import type { Tool } from '../techniques/entry';
 import { Divider } from './Divider';
 import { LayerSwitches } from './LayerSwitches';
 import { PieceLabel } from './PieceLabel';
+import { Guides } from './Guides';
+import { Regions } from './Regions';
 import { Sketch } from './Sketch';
 import { ZoomTools } from './ZoomTools';
 
+/** What lies over the stage while it is drawn on. */
+const kTools: Partial<Record<Tool, ComponentType>> = { sketch: Sketch, guides: Guides, regions: Regions };
+
 export function Stage() {
+  const ToolHere = tool.value && kTools[tool.value];
   return (
     <section class="stage" aria-label="Stage">
       <StageCanvas />
-      {sketching.value ? (
-        <Sketch />
+      {ToolHere ? (
+        <ToolHere />
       ) : (
         <>
           <Divider />

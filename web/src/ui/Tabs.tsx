@@ -1,23 +1,13 @@
-import { batch, useSignal } from '@preact/signals';
+import { useSignal } from '@preact/signals';
 import { schema } from 'tessera-wasm/description';
-import { historyOf } from '../state/history';
-import { generate } from '../state/runner';
-import { edits, technique } from '../state/store';
+import { technique } from '../state/store';
+import { openTab } from '../state/tabs';
 import { techniques } from '../techniques/index';
 import type { TechniqueEntry } from '../techniques/entry';
 import { Mark } from './Mark';
 
 /** The engine's word on it. */
 const isThere = ({ name }: TechniqueEntry) => name in schema.$defs;
-
-function open(chosen: TechniqueEntry): void {
-  if (!isThere(chosen) || chosen.name === technique.value) return;
-  batch(() => {
-    technique.value = chosen.name;
-    edits.value = historyOf({ params: {}, seed: 1 });
-  });
-  generate();
-}
 
 function onKey(event: KeyboardEvent & { currentTarget: HTMLElement }): void {
   const tabs = [...event.currentTarget.querySelectorAll<HTMLElement>('[role=tab]')];
@@ -65,7 +55,7 @@ export function Tabs() {
               data-asked={asked.value === entry.name}
               onClick={() => {
                 asked.value = there ? '' : entry.name;
-                open(entry);
+                if (there) void openTab(entry.name);
               }}
             >
               <entry.icon />

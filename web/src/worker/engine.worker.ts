@@ -2,8 +2,15 @@
 
 import { createTessera, TesseraError, type Iteration, type Picture, type Problem, type Tessera } from 'tessera-wasm';
 import { open, PictureError, scaled, type Opened } from './decode';
-import { parsePieces, transferable } from './pieces';
-import type { EngineToPainter, FromEngine, Graphics, RunRequest, ToEngine } from './protocol';
+import { countColours, parsePieces, transferable } from './pieces';
+import {
+  kPicture,
+  type EngineToPainter,
+  type FromEngine,
+  type Graphics,
+  type RunRequest,
+  type ToEngine,
+} from './protocol';
 import { scope } from './scope';
 
 const kPreviewPixels = 600_000;
@@ -16,7 +23,8 @@ let engine: Tessera | undefined;
 let painter: MessagePort | undefined;
 let newest = 0; // request; an older one makes no more files
 let pictureTaken = Promise.resolve(); // one after the other: the newest is the one that stays
-const pictures = new Map<string, Held>();
+const pictures = new Map<string, Held>(); // by slot
+let roles: readonly string[] = []; // that the engine has pictures of
 
 interface Held {
   opened: Opened;
@@ -60,12 +68,13 @@ async function boot({ base, threads, wasm, graphics: known }: ToEngine & { type:
   }
 }
 
-async function takePicture({ id, role, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
+async function takePicture({ id, slot, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
   try {
     const opened = await open(blob, name);
-    pictures.set(role, { opened });
+    pictures.set(slot, { opened });
     const { bitmap, width, height } = opened;
-    show({ type: 'source', bitmap, width, height }, [bitmap]);
+    if (slot === kPicture) show({ type: 'source', bitmap, width, height }, [bitmap]);
+    else bitmap.close();
     tell({ type: 'picture', id, width, height });
   } catch (error) {
     const message = error instanceof PictureError ? error.message : `“${name}” cannot be read. Choose another file.`;
@@ -73,9 +82,13 @@ async function takePicture({ id, role, name, blob }: ToEngine & { type: 'picture
   }
 }
 
-/** The engine's copy of each picture, whole or reduced as this run wants it. */
-async function setInputs(tessera: Tessera, scale: number): Promise<void> {
-  for (const [role, held] of pictures) {
+/** The engine's copy of each picture of the job, whole or reduced as this run wants it; none of any other. */
+async function setInputs(tessera: Tessera, { inputs, scale }: RunRequest): Promise<void> {
+  for (const role of roles) if (!(role in inputs)) tessera.setInput(role, null);
+  roles = Object.keys(inputs);
+  for (const [role, slot] of Object.entries(inputs)) {
+    const held = pictures.get(slot);
+    if (!held) continue;
     held.whole ??= held.opened.pixels();
     if (scale < 1 && held.reduced?.scale !== scale) {
       held.reduced = { scale, picture: await scaled(held.whole, scale) };
@@ -90,7 +103,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
   if (!engine || newest !== id) return;
   try {
     if (request.backend === 'gl') lookForGraphics(engine, true);
-    await setInputs(engine, request.scale);
+    await setInputs(engine, request);
     if (newest !== id) return;
     const begin = performance.now();
     const result = engine.run(request.job, {
@@ -104,8 +117,9 @@ async function run(id: number, request: RunRequest): Promise<void> {
     const svg = engine.artifact('svg').bytes;
     const pieces = parsePieces(engine.artifact('json').bytes);
     const ground = kGround.exec(new TextDecoder().decode(svg.subarray(0, 8192)))?.[1] ?? '#96928a';
+    const colours = countColours(pieces);
     show({ type: 'pieces', id, pieces, ground, scale: request.scale }, transferable(pieces));
-    tell({ type: 'done', id, result, milliseconds });
+    tell({ type: 'done', id, result, milliseconds, colours });
     if (request.scale === 1) await makeFiles(engine, id, request.formats);
     if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {

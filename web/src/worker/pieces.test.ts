@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { parsePieces } from './pieces';
+import { countColours, parsePieces } from './pieces';
 
 const sheet = `{"type":"FeatureCollection","bbox":[0,0,100,50],"features":[
 {"type":"Feature","properties":{"id":"stone-1","colour":"#222222","area":100,"vertices":4,"orientation":90,"centroid":[5,5]},"geometry":{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}},
@@ -27,4 +27,13 @@ test('rings are open and lie one after another', () => {
 test('a sheet without pieces is empty, not an error', () => {
   const empty = '{"type":"FeatureCollection","bbox":[0,0,7,5],"features":[\n]}\n';
   expect(parsePieces(new TextEncoder().encode(empty))).toMatchObject({ width: 7, height: 5, count: 0 });
+});
+
+test('colours are counted, the most first', () => {
+  const palette = ['#000000', '#ffffff', '#ff0000'];
+  expect(countColours({ palette, colours: new Uint16Array([1, 2, 1, 0, 1, 2]) })).toEqual([
+    { colour: '#ffffff', count: 3 },
+    { colour: '#ff0000', count: 2 },
+    { colour: '#000000', count: 1 },
+  ]);
 });

@@ -1,5 +1,7 @@
 // Pieces as flat arrays, which cross between threads without a copy, from the engine's GeoJSON.
 
+import type { ColourCount } from './protocol';
+
 export interface Pieces {
   /** Of the picture, px. */
   width: number;
@@ -91,6 +93,13 @@ function packPieces(features: readonly Feature[], width: number, height: number)
   });
   pieces.palette = [...palette.keys()];
   return pieces;
+}
+
+/** How many pieces have each colour, the most first. */
+export function countColours({ palette, colours }: Pick<Pieces, 'palette' | 'colours'>): ColourCount[] {
+  const counts = palette.map((colour) => ({ colour, count: 0 }));
+  for (const index of colours) ++counts[index]!.count;
+  return counts.sort((a, b) => b.count - a.count);
 }
 
 export const transferable = (pieces: Pieces): Transferable[] =>

@@ -12,13 +12,24 @@ export interface Graphics {
   renderer: string;
 }
 
+/** A colour of pieces ("#f4f1e8"), and of how many. */
+export interface ColourCount {
+  colour: string;
+  count: number;
+}
+
 export interface EngineInfo {
   version: string;
   threads: number;
 }
 
+/** Where the worker keeps the picture that is on the stage; other slots have pictures that were drawn over it. */
+export const kPicture = 'picture';
+
 export interface RunRequest {
   job: Job;
+  /** The slot of each picture that the job has, by its role. */
+  inputs: Readonly<Record<string, string>>;
   backend: Backend;
   /** Side of the picture to run on, as a part of the whole's; below 1 no files are made. */
   scale: number;
@@ -30,7 +41,7 @@ export type ToEngine =
   | { type: 'painter'; port: MessagePort }
   /** `graphics`: what an earlier engine of this page found, so as not to look again. */
   | { type: 'boot'; base: string; threads: number; wasm: WebAssembly.Module | undefined; graphics: Graphics | null }
-  | { type: 'picture'; id: number; role: string; name: string; blob: Blob }
+  | { type: 'picture'; id: number; slot: string; name: string; blob: Blob }
   | { type: 'run'; id: number; request: RunRequest }
   | { type: 'read'; id: number; text: string };
 
@@ -44,7 +55,7 @@ export type FromEngine =
   | { type: 'progress'; id: number; fraction: number }
   | { type: 'iteration'; id: number; index: number; last: number }
   | { type: 'warning'; id: number; message: string }
-  | { type: 'done'; id: number; result: RunResult; milliseconds: number }
+  | { type: 'done'; id: number; result: RunResult; milliseconds: number; colours: ColourCount[] }
   | { type: 'problems'; id: number; problems: Problem[] }
   | { type: 'file'; id: number; format: string; blob: Blob }
   | { type: 'job'; id: number; job: Job };

@@ -1,0 +1,27 @@
+// What the native program makes of a job that the page gave away.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { root } from './browser/app.mjs';
+
+const tessera = join(root, 'build/native-release/bin/tessera');
+
+export async function inFolder(use) {
+  const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
+  try {
+    return await use(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** `pictures`: the bytes for each role; they are put where the job says. */
+export function nativeSvg(folder, job, pictures) {
+  const { inputs } = JSON.parse(job);
+  for (const [role, name] of Object.entries(inputs)) writeFileSync(join(folder, name), pictures[role]);
+  writeFileSync(join(folder, 'job.json'), job);
+  const output = join(folder, 'native.svg');
+  execFileSync(tessera, ['run', join(folder, 'job.json'), '-o', output, '--backend', 'cpu', '--quiet']);
+  return readFileSync(output, 'utf8');
+}

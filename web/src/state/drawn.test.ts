@@ -1,0 +1,73 @@
+import { beforeEach, expect, test, vi } from 'vitest';
+import { drawnPictures, kNothingDrawn, type Drawn } from './drawn';
+
+const line = [
+  { x: 1, y: 2 },
+  { x: 30, y: 40 },
+];
+const size = { width: 90, height: 60 };
+let made: { width: number; height: number; fills: string[]; strokes: string[] }[];
+
+beforeEach(() => {
+  made = [];
+  vi.stubGlobal('Path2D', class {});
+  vi.stubGlobal(
+    'OffscreenCanvas',
+    class {
+      private readonly log;
+      constructor(width: number, height: number) {
+        this.log = { width, height, fills: [] as string[], strokes: [] as string[] };
+        made.push(this.log);
+      }
+      getContext() {
+        const { log } = this;
+        return {
+          fillStyle: '',
+          strokeStyle: '',
+          lineWidth: 0,
+          beginPath() {},
+          moveTo() {},
+          lineTo() {},
+          fillRect() {
+            log.fills.push(this.fillStyle);
+          },
+          stroke() {
+            log.strokes.push(`${this.strokeStyle} ${this.lineWidth}`);
+          },
+        };
+      }
+      convertToBlob() {
+        return Promise.resolve(new Blob());
+      }
+    },
+  );
+});
+
+test('nothing drawn, no pictures', async () => {
+  expect(await drawnPictures(kNothingDrawn, size)).toEqual([]);
+  expect(made).toEqual([]);
+});
+
+test('guides are black lines on white, regions their colours on that of the figure, of the size of the picture', async () => {
+  const drawn: Drawn = { guides: [line, line], regions: [{ width: 12, colour: '#0000ff', points: line }] };
+  const pictures = await drawnPictures(drawn, size);
+  expect(pictures.map(({ role, name }) => [role, name])).toEqual([
+    ['edges', 'edges.png'],
+    ['regions', 'regions.png'],
+  ]);
+  expect(made).toEqual([
+    { ...size, fills: ['#ffffff'], strokes: ['#000 3', '#000 3'] },
+    { ...size, fills: ['#00ff00'], strokes: ['#0000ff 12'] },
+  ]);
+});
+
+test('the same drawing is made once, anew for another size or another drawing', async () => {
+  const drawn: Drawn = { guides: [line], regions: [] };
+  const [first] = await drawnPictures(drawn, size);
+  const [again] = await drawnPictures({ ...drawn, regions: [] }, size);
+  expect(again?.blob).toBe(first?.blob);
+  const [larger] = await drawnPictures(drawn, { width: 180, height: 120 });
+  expect(larger?.blob).not.toBe(first?.blob);
+  await drawnPictures({ guides: [line], regions: [] }, { width: 180, height: 120 });
+  expect(made.length).toBe(3);
+});

@@ -1,0 +1,80 @@
+// What is drawn over a picture, and the pictures that a job takes it as: guide curves and regions of tile sizes.
+
+import { smoothPath } from '../stage/curve';
+import type { Point, Size } from '../stage/view';
+import { drawStroke, type Context2D, type Stroke } from './strokes';
+
+/** The points that a smooth curve goes through, px of the picture. */
+export type Guide = readonly Point[];
+
+export interface Drawn {
+  readonly guides: readonly Guide[];
+  readonly regions: readonly Stroke[];
+}
+
+export const kNothingDrawn: Drawn = { guides: [], regions: [] };
+export const isNothing = ({ guides, regions }: Drawn) => guides.length === 0 && regions.length === 0;
+
+/** Colours of the parameter regionSizes as it is by default. */
+export const kRegions = [
+  { title: 'Background', colour: '#0000ff' },
+  { title: 'Figure', colour: '#00ff00' },
+  { title: 'Detail', colour: '#ff00ff' },
+] as const;
+const kUnpainted = kRegions[1].colour;
+const kGuideWidth = 3; // px
+
+/** A picture that was drawn. Its role in the job names its slot and, with .png, its file. */
+export interface DrawnPicture {
+  role: string;
+  name: string;
+  blob: Blob;
+}
+
+interface Sheet {
+  of: keyof Drawn;
+  role: string;
+  ground: string;
+  draw(context: Context2D, drawn: Drawn): void;
+}
+
+const kSheets: readonly Sheet[] = [
+  { of: 'guides', role: 'edges', ground: '#ffffff', draw: (context, { guides }) => drawGuides(context, guides) },
+  {
+    of: 'regions',
+    role: 'regions',
+    ground: kUnpainted,
+    draw: (context, { regions }) => regions.forEach((stroke) => drawStroke(context, stroke)),
+  },
+];
+
+function drawGuides(context: Context2D, guides: readonly Guide[]): void {
+  context.strokeStyle = '#000';
+  context.lineWidth = kGuideWidth;
+  context.lineCap = context.lineJoin = 'round';
+  for (const guide of guides) context.stroke(new Path2D(smoothPath(guide)));
+}
+
+const made = new Map<string, { from: unknown; size: string; picture: DrawnPicture }>();
+
+/** Of the picture's size, none for what is empty. The same again for the same, so that it is sent once only. */
+export async function drawnPictures(drawn: Drawn, { width, height }: Size): Promise<DrawnPicture[]> {
+  const pictures: DrawnPicture[] = [];
+  for (const { of, role, ground, draw } of kSheets) {
+    if (drawn[of].length === 0) continue;
+    const size = `${width} ${height}`;
+    let entry = made.get(role);
+    if (entry?.from !== drawn[of] || entry.size !== size) {
+      const canvas = new OffscreenCanvas(width, height);
+      const context = canvas.getContext('2d', { alpha: false });
+      if (!context) throw new Error(`There is not enough memory for a drawing of ${width} × ${height} pixels.`);
+      context.fillStyle = ground;
+      context.fillRect(0, 0, width, height);
+      draw(context, drawn);
+      entry = { from: drawn[of], size, picture: { role, name: `${role}.png`, blob: await canvas.convertToBlob() } };
+      made.set(role, entry);
+    }
+    pictures.push(entry.picture);
+  }
+  return pictures;
+}

@@ -1,0 +1,29 @@
+// The files that a run is offered as, in the order they are made and shown.
+
+export interface FileKind {
+  /** The engine's format; "job" and the drawn pictures come from the page. */
+  format: string;
+  title: string;
+  /** Where the title is too long for a button. */
+  short?: string;
+  ending: string;
+  /** Among those that are folded away. */
+  more?: boolean;
+}
+
+export const kFiles: readonly FileKind[] = [
+  { format: 'svg', title: 'SVG', ending: 'svg' },
+  { format: 'dxf', title: 'DXF', ending: 'dxf' },
+  { format: 'png', title: 'PNG', ending: 'png' },
+  { format: 'glb', title: 'GLB', ending: 'glb' },
+  { format: 'zip', title: 'ZIP', ending: 'zip' },
+  { format: 'bom.csv', title: 'bill of materials', short: 'Bill', ending: 'bom.csv' },
+  { format: 'job', title: 'job', ending: 'json' },
+  { format: 'csv', title: 'CSV', ending: 'csv', more: true },
+  { format: 'json', title: 'GeoJSON', ending: 'geojson', more: true },
+  // The job names these two.
+  { format: 'edges', title: 'edges.png', ending: 'png', more: true },
+  { format: 'regions', title: 'regions.png', ending: 'png', more: true },
+];
+
+export const endingOf = (format: string): string => kFiles.find((file) => file.format === format)?.ending ?? format;

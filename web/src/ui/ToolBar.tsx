@@ -1,0 +1,70 @@
+// What the toolbars of all drawing tools have.
+
+import { Check, Trash2, Undo2 } from 'lucide-preact';
+import { tool } from '../state/store';
+
+export const ToolGap = () => <span class="tool-gap" />;
+
+interface SizesProps {
+  brushes: readonly { title: string; width: number }[];
+  chosen: number;
+  choose(width: number): void;
+}
+
+/** Dots, the finest first. */
+export const BrushSizes = ({ brushes, chosen, choose }: SizesProps) => (
+  <>
+    {brushes.map(({ title, width }, i) => (
+      <button
+        type="button"
+        class="tool"
+        key={title}
+        aria-label={title}
+        title={title}
+        aria-pressed={chosen === width}
+        onClick={() => choose(width)}
+      >
+        <span class="brush-dot" style={{ width: `${7 + 6 * i}px`, height: `${7 + 6 * i}px` }} />
+      </button>
+    ))}
+  </>
+);
+
+interface EndsProps {
+  undoTitle: string;
+  clearTitle: string;
+  empty: boolean;
+  undo(): void;
+  clear(): void;
+}
+
+export const ToolEnds = ({ undoTitle, clearTitle, empty, undo, clear }: EndsProps) => (
+  <>
+    <ToolGap />
+    <button
+      type="button"
+      class="tool"
+      aria-label={undoTitle}
+      title={undoTitle}
+      aria-disabled={empty}
+      onClick={() => empty || undo()}
+    >
+      <Undo2 size={18} aria-hidden />
+    </button>
+    <button
+      type="button"
+      class="tool"
+      aria-label={clearTitle}
+      title={clearTitle}
+      aria-disabled={empty}
+      onClick={() => empty || clear()}
+    >
+      <Trash2 size={18} aria-hidden />
+    </button>
+    <ToolGap />
+    <button type="button" class="tool strong" onClick={() => (tool.value = null)}>
+      <Check size={18} aria-hidden />
+      Done
+    </button>
+  </>
+);
