@@ -17,22 +17,27 @@ struct Gradient {
   cv::Mat1s dx, dy;
 };
 
-// Of each pixel, that of its channel with the longest one.
+// Of each pixel, Sobel's gradient of its channel with the longest one. Written out, since the library's differs
+// between machines on these depths.
 Gradient strongest_gradient(const cv::Mat3s& picture) {
-  cv::Mat3s dx, dy;
-  cv::Sobel(picture, dx, -1, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
-  cv::Sobel(picture, dy, -1, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
   Gradient gradient{cv::Mat1s(picture.size()), cv::Mat1s(picture.size())};
   for (int y = 0; y < picture.rows; ++y) {
-    const cv::Vec3s *x_row = dx[y], *y_row = dy[y];
+    const cv::Vec3s *above = picture[std::max(0, y - 1)], *row = picture[y],
+                    *below = picture[std::min(picture.rows - 1, y + 1)];
     for (int x = 0; x < picture.cols; ++x) {
-      int best = 0, longest = -1;
+      const int left = std::max(0, x - 1), right = std::min(picture.cols - 1, x + 1);
+      int longest = -1;
       for (int c = 0; c < 3; ++c) {
-        const int size = x_row[x][c] * x_row[x][c] + y_row[x][c] * y_row[x][c];
-        if (size > longest) longest = size, best = c;
+        const int dx =
+            above[right][c] - above[left][c] + 2 * (row[right][c] - row[left][c]) + below[right][c] - below[left][c];
+        const int dy =
+            below[left][c] + 2 * below[x][c] + below[right][c] - above[left][c] - 2 * above[x][c] - above[right][c];
+        const int size = dx * dx + dy * dy;
+        if (size <= longest) continue;
+        longest = size;
+        gradient.dx(y, x) = static_cast<short>(dx);
+        gradient.dy(y, x) = static_cast<short>(dy);
       }
-      gradient.dx(y, x) = x_row[x][best];
-      gradient.dy(y, x) = y_row[x][best];
     }
   }
   return gradient;
