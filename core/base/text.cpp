@@ -1,5 +1,6 @@
 #include "tessera/base/text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>

@@ -16,10 +16,11 @@ namespace {
 constexpr double kLeastArea = 0.05;     // px^2: what is left of a tile that is none
 constexpr double kPixelsPerTile = 6.5;  // no tile is smaller on average
 
-// 5.2: the side of n squares that cover the picture.
-double mean_side(const ImageView& photo, int tiles) {
-  const double pixels = static_cast<double>(photo.width) * photo.height;
-  return std::sqrt(pixels / std::min<double>(tiles, std::max(1.0, pixels / kPixelsPerTile)));
+double pixels_of(const ImageView& photo) { return static_cast<double>(photo.width) * photo.height; }
+
+// As many tiles as asked for, or as the picture has room for.
+int possible_tiles(const ImageView& photo, int tiles) {
+  return static_cast<int>(std::min<double>(tiles, std::max(1.0, pixels_of(photo) / kPixelsPerTile)));
 }
 
 // Colour and a place on the sheet; cells that are no tiles are left out.
@@ -35,14 +36,17 @@ void lay_tiles(std::vector<Ring> rings, const ImageView& photo, const Params& pa
 
 }  // namespace
 
-Result<Output> run(const Pictures& pictures, const Params& params, std::uint64_t seed, Rasterizer& rasterizer,
+Result<Output> run(const Pictures& pictures, const Params& requested, std::uint64_t seed, Rasterizer& rasterizer,
                    const RunContext& context, const IterationObserver& observer) {
   const ImageView& photo = pictures.photo;
   if (photo.width < 1 || photo.height < 1)
     return fail(StatusCode::kInvalidInput, "photo", "has no pixels; expected at least 1 x 1");
 
+  Params params = requested;
+  params.tiles = possible_tiles(photo, requested.tiles);
+
   context.stage("fields");
-  Fields fields = make_fields(pictures, params, mean_side(photo, params.tiles));
+  Fields fields = make_fields(pictures, params, std::sqrt(pixels_of(photo) / params.tiles));  // 5.2
   context.progress(0.08);
 
   context.stage("sites");

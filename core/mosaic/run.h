@@ -24,7 +24,7 @@ struct Output {
 
 // The pictures are read during the call only; all parameters are valid. Fails with kInvalidInput for a photo without
 // pixels, kCancelled or kTimeout as `context` says. Same arguments, same result, for any number of threads.
-Result<Output> run(const Pictures& pictures, const Params& params, std::uint64_t seed, Rasterizer& rasterizer,
+Result<Output> run(const Pictures& pictures, const Params& requested, std::uint64_t seed, Rasterizer& rasterizer,
                    const RunContext& context, const IterationObserver& observer = {});
 
 }  // namespace tessera::mosaic

@@ -12,7 +12,7 @@
 namespace tessera::mosaic {
 namespace {
 
-constexpr double kLimit = 1.5;      // px a vertex may move away from its corner to be equally far from its sites
+constexpr double kLimit = 1.5;       // px a vertex may move away from its corner to be equally far from its sites
 constexpr double kEdgeReach = 0.42;  // of a tile's side: how far a vertex moves to an edge
 
 // Moves p onto the edge next to it; false, and p stays, where that does not lead within half a pixel of one.
@@ -126,10 +126,7 @@ Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
     const SinCos turn = sin_cos(has_site ? diagram.sites[cell].angle : 0);
     t.frame[cell] = {turn.cos, turn.sin};
   }
-  t.map.vertices.resize(n);
-  t.freedom.resize(n);
-  t.normal.resize(n);
-  t.between.resize(n);
+  t.set_vertices(n);
   cv::parallel_for_({0, static_cast<int>(n)}, [&](const cv::Range& range) {
     for (int i = range.start; i < range.end; ++i)
       placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i]);

@@ -165,10 +165,7 @@ Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
   Tessellation t;
   t.zone = diagram.cell_zone;
   t.half_side.assign(t.zone.size(), static_cast<float>(fields.half_side));
-  t.map.vertices.resize(n);
-  t.freedom.resize(n);
-  t.normal.resize(n);
-  t.between.resize(n);
+  t.set_vertices(n);
   cv::parallel_for_({0, static_cast<int>(n)}, [&](const cv::Range& range) {
     for (int i = range.start; i < range.end; ++i)
       placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i], t.between[i]);

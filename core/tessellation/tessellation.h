@@ -27,6 +27,13 @@ struct Tessellation {
   // Empty, or one a cell: unit vector along which two of the piece's four sides shall lie, the other two across it.
   std::vector<Point> frame;
   int cells() const { return map.cells(); }
+
+  void set_vertices(std::size_t n) {
+    map.vertices.resize(n);
+    freedom.resize(n);
+    normal.resize(n);
+    between.resize(n);
+  }
 };
 
 }  // namespace tessera

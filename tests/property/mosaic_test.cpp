@@ -143,6 +143,17 @@ TEST(MosaicProperty, AboutAsManyTilesAsAskedFor) {
   }
 }
 
+TEST(MosaicProperty, NoMoreTilesThanThereIsRoomFor) {
+  Params params;
+  params.tiles = 4194304;
+  for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
+    params.style = style;
+    const auto count = lay(plain_photo(), params).sheet.pieces.size();
+    EXPECT_GT(count, 400u);
+    EXPECT_LT(count, 120u * 90u / 4);
+  }
+}
+
 TEST(MosaicProperty, SameTilesForAnyNumberOfThreads) {
   const int before = cv::getNumThreads();
   std::vector<std::vector<Ring>> rings;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../image_views.h"
 #include "tessera/base/rng.h"
-#include "tessera/image/image_view.h"
 
 namespace tessera::mosaic {
 
@@ -15,10 +15,6 @@ struct Photo {
   std::string name;
   cv::Mat3b picture;
 };
-
-inline ImageView view_of(const cv::Mat3b& picture) {
-  return {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
-}
 
 template <class Colour>
 cv::Mat3b paint(int width, int height, const Colour& colour) {

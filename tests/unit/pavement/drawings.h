@@ -7,14 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "../image_views.h"
 #include "tessera/base/rng.h"
-#include "tessera/image/image_view.h"
 
 namespace tessera {
-
-inline ImageView view_of(const cv::Mat3b& picture) {
-  return {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
-}
 
 inline cv::Vec3b grey(int value) { return cv::Vec3b::all(static_cast<unsigned char>(value)); }
 
