@@ -1,10 +1,10 @@
-// Parameters of the pebbles technique; symbols and sections are those of "Generating pebbles from a single image"
-// (papers' title as in docs/pebbles.md).
+// Parameters of the pebbles technique; symbols and sections are those of the paper (docs/pebbles.md).
 #pragma once
 
 #include <string>
 
 #include "tessera/base/parameter.h"
+#include "tessera/pebbles/edits.h"
 
 namespace tessera::pebbles {
 
@@ -17,6 +17,7 @@ struct Params {
   int width = 900;
   Segmenter segmenter = Segmenter::kTree;
   double smallest = 8;
+  double contrast = 1.5;
   std::string edits;
   double width_m = 0;
   double pixels_per_m = 0;
@@ -58,6 +59,13 @@ void visit(Visitor& v, Params& p) {
                         .ui_max = 60,
                         .unit = "px",
                         .help = "Diameter of the smallest pebble, at the width that is searched"});
+  v.number(p.contrast,
+           {.key = "contrast",
+            .min = 0,
+            .max = 100,
+            .ui_min = 0,
+            .ui_max = 5,
+            .help = "How much a pebble's colour must differ from what lies around, against the grain of its surface"});
   v.number(p.width_m, {.key = "widthM",
                        .min = 0,
                        .max = 100000,
@@ -151,6 +159,9 @@ template <class Report>
 void check(const Params& p, Report&& report) {
   if (p.width_m > 0 && p.pixels_per_m > 0)
     report("pixelsPerM", "is given together with widthM, expected one of them");
+  std::vector<Edit> edits;
+  if (!parse_edits(p.edits, edits))
+    report("edits", "is no list of edits, expected such as \"merge 120,44 130,60; split 9,9 20,9; delete 5,8\"");
 }
 
 }  // namespace tessera::pebbles

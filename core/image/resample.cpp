@@ -1,0 +1,64 @@
+#include "tessera/image/resample.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace tessera {
+namespace {
+
+constexpr int kOne = 1 << 12;  // weights of a target pixel's sources add up to this
+
+// The sources of each target pixel along one axis: from `first` on, as many as there are weights.
+struct Span {
+  int first;
+  std::vector<int> weights;
+};
+
+// How many parts of kOne of a target pixel each source pixel is: the overlap of the two intervals.
+std::vector<Span> spans(int source, int target) {
+  std::vector<Span> out(target);
+  for (std::int64_t t = 0; t < target; ++t) {
+    const std::int64_t begin = t * source, end = begin + source;  // in parts, `target` of them to a source pixel
+    Span& span = out[t];
+    span.first = static_cast<int>(begin / target);
+    std::int64_t before = 0;
+    for (std::int64_t s = span.first; s * target < end; ++s) {
+      const std::int64_t covered = std::min((s + 1) * target, end) - begin;  // up to here; rounded as a whole
+      span.weights.push_back(static_cast<int>(covered * kOne / source - before));
+      before = covered * kOne / source;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+cv::Mat3b shrunk(const ImageView& picture, int width) {
+  if (picture.width <= width) return picture.mat().clone();
+  const auto rounded = (2 * std::int64_t{picture.height} * width + picture.width) / (2 * std::int64_t{picture.width});
+  const int height = std::max(1, static_cast<int>(rounded));
+  const std::vector<Span> columns = spans(picture.width, width), rows = spans(picture.height, height);
+  const cv::Mat3b source = picture.mat();
+  cv::Mat3b out(height, width);
+  cv::parallel_for_({0, height}, [&](const cv::Range& range) {
+    std::vector<int> line(3 * static_cast<std::size_t>(source.cols));
+    for (int y = range.start; y < range.end; ++y) {
+      std::fill(line.begin(), line.end(), 0);
+      for (std::size_t k = 0; k < rows[y].weights.size(); ++k) {
+        const std::uint8_t* from = source.ptr<std::uint8_t>(rows[y].first + static_cast<int>(k));
+        for (std::size_t i = 0; i < line.size(); ++i) line[i] += rows[y].weights[k] * from[i];
+      }
+      for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c) {
+          std::int64_t sum = 0;
+          for (std::size_t k = 0; k < columns[x].weights.size(); ++k)
+            sum += std::int64_t{columns[x].weights[k]} * line[3 * (columns[x].first + k) + c];
+          out(y, x)[c] = static_cast<std::uint8_t>((sum + kOne * (kOne / 2)) / (kOne * std::int64_t{kOne}));
+        }
+    }
+  });
+  return out;
+}
+
+}  // namespace tessera

@@ -1,0 +1,82 @@
+#include "tessera/pebbles/rims.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "tessera/pebbles/neighbours.h"
+
+namespace tessera::pebbles {
+namespace {
+
+constexpr double kBodyShare = 0.3;  // of a label's pixels are darker than its body's lightness
+constexpr double kNearer = 0.4;     // of the way from gap to body: where the pebble begins
+constexpr int kFaintest = 4;        // levels of lightness: a gap that is less dark is none
+
+cv::Mat1b lightness_of(const cv::Mat3b& photo) {
+  cv::Mat3b calm, lab;
+  cv::medianBlur(photo, calm, 3);
+  cv::cvtColor(calm, lab, cv::COLOR_RGB2Lab);
+  cv::Mat1b lightness;
+  cv::extractChannel(lab, lightness, 0);
+  return lightness;
+}
+
+std::vector<int> body_lightness(const cv::Mat1b& lightness, const cv::Mat1i& labels, int count) {
+  std::vector<std::array<int, 256>> histogram(count + 1);
+  for (auto& h : histogram) h.fill(0);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) ++histogram[labels(y, x)][lightness(y, x)];
+  std::vector<int> body(count + 1, 0);
+  for (int label = 1; label <= count; ++label) {
+    double all = 0, darker = 0;
+    for (const int n : histogram[label]) all += n;
+    while (body[label] < 255 && (darker += histogram[label][body[label]]) < kBodyShare * all) ++body[label];
+  }
+  return body;
+}
+
+// Floods each label from its border; the flood remembers the darkest it has come through.
+void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Mat1i& labels) {
+  struct Wave {
+    int y, x, darkest;
+  };
+  std::vector<Wave> waves;
+  cv::Mat1b wet(labels.size(), std::uint8_t{0});
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      const int label = labels(y, x);
+      if (label == 0 || lightness(y, x) + kFaintest >= body[label]) continue;
+      bool at_border = false;
+      each_neighbour(labels, y, x, [&](int v, int u) { at_border |= labels(v, u) != label; });
+      if (!at_border) continue;
+      wet(y, x) = 1;
+      waves.push_back({y, x, lightness(y, x)});
+    }
+  for (std::size_t k = 0; k < waves.size(); ++k) {
+    const Wave wave = waves[k];
+    const int label = labels(wave.y, wave.x);
+    each_neighbour(labels, wave.y, wave.x, [&](int v, int u) {
+      if (wet(v, u) || labels(v, u) != label) return;
+      const int darkest = std::min<int>(wave.darkest, lightness(v, u)), rise = body[label] - darkest;
+      if (rise <= kFaintest || lightness(v, u) >= darkest + kNearer * rise) return;
+      wet(v, u) = 1;
+      waves.push_back({v, u, darkest});
+    });
+  }
+  for (const Wave& wave : waves) labels(wave.y, wave.x) = 0;
+}
+
+}  // namespace
+
+void trim_rims(const cv::Mat3b& photo, cv::Mat1i& labels) {
+  int count = 0;
+  for (const int label : labels) count = std::max(count, label);
+  const cv::Mat1b lightness = lightness_of(photo);
+  flood_rims(lightness, body_lightness(lightness, labels, count), labels);
+  keep_largest_parts(labels, count);
+}
+
+}  // namespace tessera::pebbles
