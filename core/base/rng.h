@@ -8,7 +8,7 @@ namespace tessera {
 
 // One stream a purpose: a step that draws more numbers does not disturb another step. Purposes are stable numbers,
 // since a job's bytes depend on them.
-enum class RngPurpose : std::uint32_t { kSites = 1, kShapes = 2, kNoise = 3, kColours = 4 };
+enum class RngPurpose : std::uint32_t { kSites = 1, kShapes = 2, kNoise = 3, kColours = 4, kPrototypes = 5, kScatter = 6 };
 
 class Rng {
  public:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tessera/geometry/piece.h"
+#include "tessera/geometry/scene.h"
 
 namespace tessera {
 
@@ -29,6 +30,13 @@ std::string write_csv(const PieceSheet& sheet);
 std::string write_bill_csv(const PieceSheet& sheet);
 // PNG picture of the sheet, 8-bit RGB, anti-aliased by exact coverage, `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
+
+// glTF 2.0 as one binary file, and as one text that holds its buffer. Textures are JPEG. A valid scene has finite
+// numbers, indices within their lists, lists of a mesh as long as its positions (> 0), triangles, a view and a mesh for
+// each node. Uses KHR_mesh_quantization where the scene wants it, EXT_mesh_gpu_instancing for instances, OMI_collider
+// for hulls; the job, as text, is `job` of the asset's extras.
+std::string write_glb(const Scene& scene);
+std::string write_gltf(const Scene& scene);
 
 // One or more histograms over the same bins, as an SVG plot with axes and a legend. Values are finite and >= 0.
 struct Histogram {

@@ -1,0 +1,3 @@
+// The library's own code, compiled once.
+#define TINYGLTF_IMPLEMENTATION
+#include <tiny_gltf.h>

@@ -1,0 +1,24 @@
+// Triangles that share vertices.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+namespace tessera {
+
+// One list a vertex attribute; lists are as long as `positions`, or empty.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;              // of length 1
+  std::vector<glm::vec2> texture_coordinates;  // 0..1 across the texture, v down
+  std::vector<glm::vec4> tangents;             // towards growing u, of length 1; w: +-1, the bitangent's sign
+  std::vector<std::uint32_t> indices;          // three a triangle, counter-clockwise from outside
+  int surface = -1;                            // index into Scene::surfaces
+};
+
+}  // namespace tessera

@@ -1,0 +1,31 @@
+// Pebbles strewn anew.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tessera/geometry/point.h"
+#include "tessera/pebbles/pebble.h"
+
+namespace tessera::pebbles {
+
+// Some of the pebbles, at random, in their order: those that are strewn.
+std::vector<Pebble> prototypes(const std::vector<Pebble>& pebbles, std::uint64_t seed);
+
+struct Throw {
+  std::size_t stone = 0;  // which of them
+  Point place;            // metres from the middle of the field
+  double turn = 0;        // radians around the upward axis
+  double scale = 1;
+};
+
+struct Strewn {
+  Point size;  // of the field, metres
+  std::vector<Throw> throws;
+};
+
+// `count` throws of stones of the given radii (metres, > 0), where they fit on a field of `size` (metres, centred),
+// larger in the same proportion where that has not room enough. Stones overlap where many tries have found no room.
+Strewn strew(const std::vector<double>& radii, int count, Point size, std::uint64_t seed);
+
+}  // namespace tessera::pebbles
