@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tessera/geometry/piece.h"
+#include "tessera/geometry/raster.h"
 #include "tessera/geometry/scene.h"
 
 namespace tessera {
@@ -28,6 +29,8 @@ std::string write_csv(const PieceSheet& sheet);
 // CSV with a header, one row a colour, the largest area first: colour,name,count,area_px2,area_mm2,share. Areas in
 // mm2 are left empty where the sheet has no width_mm; `share` is of the pieces' area.
 std::string write_bill_csv(const PieceSheet& sheet);
+// PNG of a picture as it is.
+std::string write_png(const Raster& raster);
 // PNG picture of the sheet, 8-bit RGB, anti-aliased by exact coverage, `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
 

@@ -24,7 +24,8 @@ void append_ring(std::string& out, const Ring& ring, bool positive) {
   out += ']';
 }
 
-void append_properties(std::string& out, const PieceSheet& sheet, const Piece& piece) {
+void append_properties(std::string& out, const PieceSheet& sheet, std::size_t index) {
+  const Piece& piece = sheet.pieces[index];
   const Measures m = measure(piece.outline);
   out += "{\"id\":\"";
   append_piece_id(out, sheet, piece);
@@ -38,12 +39,17 @@ void append_properties(std::string& out, const PieceSheet& sheet, const Piece& p
   append_number(out, m.orientation);
   out += ",\"centroid\":";
   append_position(out, m.centroid);
+  for (const Column& column : sheet.columns) {
+    out += ",\"" + column.name + "\":";
+    append_number(out, column.values[index]);
+  }
   out += '}';
 }
 
-void append_feature(std::string& out, const PieceSheet& sheet, const Piece& piece) {
+void append_feature(std::string& out, const PieceSheet& sheet, std::size_t index) {
+  const Piece& piece = sheet.pieces[index];
   out += "{\"type\":\"Feature\",\"properties\":";
-  append_properties(out, sheet, piece);
+  append_properties(out, sheet, index);
   out += ",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[";
   append_ring(out, piece.outline.outer, true);
   for (const Ring& hole : piece.outline.holes) {
@@ -62,9 +68,9 @@ std::string write_geojson(const PieceSheet& sheet) {
   append_point(out, {sheet.width, sheet.height}, ',');
   out += "],\"features\":[";
   const char* separator = "\n";
-  for (const Piece& piece : sheet.pieces) {
+  for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
     out += separator;
-    append_feature(out, sheet, piece);
+    append_feature(out, sheet, i);
     separator = ",\n";
   }
   out += "\n]}\n";

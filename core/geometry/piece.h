@@ -21,6 +21,12 @@ struct Material {
   Rgb colour;
 };
 
+// What else has been measured of every piece.
+struct Column {
+  std::string name;            // "a_mm"
+  std::vector<double> values;  // one a piece, finite
+};
+
 struct PieceSheet {
   std::string kind = "piece";    // class of a piece, and stem of its id: stone, tile, cell
   std::string layer = "pieces";  // name of the pieces' layer: stones, tiles, cells
@@ -29,6 +35,7 @@ struct PieceSheet {
   Rgb grout{128, 128, 128};      // colour between the pieces
   std::string job_json;          // the job that made it, one JSON object; empty: none
   std::vector<Piece> pieces;
+  std::vector<Column> columns;      // of tables, behind those that every sheet has
   std::vector<Material> materials;  // names of fills, for a bill; empty: the fills have none
 };
 

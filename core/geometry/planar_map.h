@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-// Cell c's outline runs clockwise on the screen through vertices[ring[k]] for the slots k in [first[c], first[c + 1]).
-// Moving a vertex moves it for all its cells, so neighbours never part nor overlap.
+// Cell c's outline runs clockwise on the screen through vertices[ring[k]] for the slots k in [first[c], first[c +
+// 1]). Moving a vertex moves it for all its cells, so neighbours never part nor overlap.
 struct PlanarMap {
   std::vector<Point> vertices;
   std::vector<int> first{0};

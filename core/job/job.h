@@ -10,9 +10,12 @@
 #include "tessera/base/run_context.h"
 #include "tessera/formats/formats.h"
 #include "tessera/geometry/piece.h"
+#include "tessera/geometry/raster.h"
+#include "tessera/geometry/scene.h"
 #include "tessera/image/image_view.h"
 #include "tessera/mosaic/params.h"
 #include "tessera/pavement/params.h"
+#include "tessera/pebbles/params.h"
 #include "tessera/voronoi/lloyd.h"
 
 namespace tessera {
@@ -22,7 +25,7 @@ inline constexpr int kSchemaVersion = 1;
 inline constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
 
 // One alternative a technique. A new technique adds its struct here and a row to techniques() (techniques.h).
-using TechniqueParams = std::variant<pavement::Params, mosaic::Params>;
+using TechniqueParams = std::variant<pavement::Params, mosaic::Params, pebbles::Params>;
 
 struct Job {
   std::uint64_t seed = 1;  // 0 to kMaxSeed
@@ -55,6 +58,8 @@ struct Plot {
 // What a technique has made, before it is bytes, in terms that all of them share.
 struct Outcome {
   PieceSheet sheet;                            // with the job in it
+  Scene scene{};                               // with the job in it; of techniques whose pieces are solid
+  std::map<std::string, Raster> rasters{};     // pictures besides the sheet's, by their format ("labels.png")
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
   std::vector<Plot> plots;

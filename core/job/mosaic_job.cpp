@@ -16,11 +16,6 @@ Histogram areas_plot(const mosaic::Output& output) {
   return plot;
 }
 
-ImageView picture_of(const Pictures& pictures, const char* role) {
-  const auto found = pictures.find(role);
-  return found == pictures.end() ? ImageView{} : found->second;
-}
-
 }  // namespace
 
 Result<Outcome> run_mosaic_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,

@@ -19,16 +19,21 @@ constexpr double kMaxPngScale = 16;
 struct Format {
   const char* name;
   const char* media_type;
-  std::string (*write)(const PieceSheet& sheet, double png_scale);
+  std::string (*write)(const Outcome& outcome, double png_scale);
 };
 
 const Format kFormats[] = {
-    {"svg", "image/svg+xml", [](const PieceSheet& sheet, double) { return write_svg(sheet); }},
-    {"dxf", "image/vnd.dxf", [](const PieceSheet& sheet, double) { return write_dxf(sheet); }},
-    {"png", "image/png", [](const PieceSheet& sheet, double scale) { return write_png(sheet, scale); }},
-    {"json", "application/geo+json", [](const PieceSheet& sheet, double) { return write_geojson(sheet); }},
-    {"csv", "text/csv", [](const PieceSheet& sheet, double) { return write_csv(sheet); }},
-    {"bom.csv", "text/csv", [](const PieceSheet& sheet, double) { return write_bill_csv(sheet); }},
+    {"svg", "image/svg+xml", [](const Outcome& made, double) { return write_svg(made.sheet); }},
+    {"dxf", "image/vnd.dxf", [](const Outcome& made, double) { return write_dxf(made.sheet); }},
+    {"png", "image/png", [](const Outcome& made, double scale) { return write_png(made.sheet, scale); }},
+    {"json", "application/geo+json", [](const Outcome& made, double) { return write_geojson(made.sheet); }},
+    {"csv", "text/csv", [](const Outcome& made, double) { return write_csv(made.sheet); }},
+    {"bom.csv", "text/csv", [](const Outcome& made, double) { return write_bill_csv(made.sheet); }},
+    {"glb", "model/gltf-binary", [](const Outcome& made, double) { return write_glb(made.scene); }},
+    {"gltf", "model/gltf+json", [](const Outcome& made, double) { return write_gltf(made.scene); }},
+    {"labels.png", "image/png", [](const Outcome& made, double) { return write_png(made.rasters.at("labels.png")); }},
+    {"overlay.png", "image/png",
+     [](const Outcome& made, double) { return write_png(made.rasters.at("overlay.png")); }},
 };
 
 // `name` is among the technique's formats.
@@ -83,7 +88,7 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
   for (const std::string& name : request.formats) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
     const Format& format = format_of(name);
-    artifacts.push_back({format.name, format.media_type, format.write(outcome.sheet, scale)});
+    artifacts.push_back({format.name, format.media_type, format.write(outcome, scale)});
     context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));
   }
   if (request.plots) {
@@ -99,7 +104,7 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
 Result<Outcome> compute_valid_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
                                   const RunContext& context, const IterationObserver& observer) {
   auto outcome = technique_of(job.params).run(job, pictures, rasterizer, context, observer);
-  if (outcome) outcome->sheet.job_json = job_to_text(job);
+  if (outcome) outcome->sheet.job_json = outcome->scene.job_json = job_to_text(job);
   return outcome;
 }
 

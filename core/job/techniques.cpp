@@ -5,6 +5,7 @@
 
 #include "tessera/job/mosaic_job.h"
 #include "tessera/job/pavement_job.h"
+#include "tessera/job/pebbles_job.h"
 
 namespace tessera {
 
@@ -27,6 +28,20 @@ const std::vector<Technique>& techniques() {
        .formats = {"svg", "dxf", "png", "json", "csv", "bom.csv"},
        .defaults = mosaic::Params{},
        .run = run_mosaic_job},
+      {.name = "pebbles",
+       .command = "pebbles",
+       .help = "Field of textured 3D stones from a photo of pebbles, taken from above",
+       .inputs = {{"photo", "The photo of pebbles"},
+                  {.name = "segmentation",
+                   .help =
+                       "Which pixels belong together, made elsewhere: a number or colour a pebble, black is ground",
+                   .required = false,
+                   .parameter = "segmenter",
+                   .chosen = "labels",
+                   .numbers = true}},
+       .formats = {"glb", "gltf", "svg", "dxf", "png", "json", "csv", "labels.png", "overlay.png"},
+       .defaults = pebbles::Params{},
+       .run = run_pebbles_job},
   };
   assert(all.size() == std::variant_size_v<TechniqueParams>);
   return all;
@@ -38,6 +53,11 @@ const Technique* find_technique(std::string_view name) {
   const auto& all = techniques();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Technique& t) { return t.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+ImageView picture_of(const Pictures& pictures, std::string_view role) {
+  const auto found = pictures.find(std::string(role));
+  return found == pictures.end() ? ImageView{} : found->second;
 }
 
 }  // namespace tessera

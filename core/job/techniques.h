@@ -13,6 +13,9 @@ struct InputRole {
   std::string_view name;  // "drawing"
   std::string_view help;  // one line
   bool required = true;
+  // A name that is none of this parameter's choices is a file in this role, and the parameter `chosen`.
+  std::string_view parameter{}, chosen{};
+  bool numbers = false;  // pixels are numbers rather than colours: 16-bit grey comes as (0, high, low) byte
 };
 
 using TechniqueRun = Result<Outcome>(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
@@ -32,5 +35,8 @@ struct Technique {
 const std::vector<Technique>& techniques();
 const Technique& technique_of(const TechniqueParams& params);
 const Technique* find_technique(std::string_view name);  // by name; null: there is none
+
+// The picture in that role; without pixels where there is none.
+ImageView picture_of(const Pictures& pictures, std::string_view role);
 
 }  // namespace tessera

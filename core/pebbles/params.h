@@ -37,6 +37,12 @@ struct Params {
   int scatter = 0;
 };
 
+// World size of a pixel of a photo `width` px wide.
+inline double metres_per_pixel(const Params& p, int width) {
+  if (p.pixels_per_m > 0) return 1 / p.pixels_per_m;
+  return (p.width_m > 0 ? p.width_m : 1) / width;
+}
+
 // clang-format off: a parameter is read as a line or two, not as a column
 template <class Visitor>
 void visit(Visitor& v, Params& p) {
@@ -59,13 +65,14 @@ void visit(Visitor& v, Params& p) {
                         .ui_max = 60,
                         .unit = "px",
                         .help = "Diameter of the smallest pebble, at the width that is searched"});
-  v.number(p.contrast,
-           {.key = "contrast",
-            .min = 0,
-            .max = 100,
-            .ui_min = 0,
-            .ui_max = 5,
-            .help = "How much a pebble's colour must differ from what lies around, against the grain of its surface"});
+  v.number(
+      p.contrast,
+      {.key = "contrast",
+       .min = 0,
+       .max = 100,
+       .ui_min = 0,
+       .ui_max = 5,
+       .help = "How much a pebble's colour must differ from what lies around, against the grain of its surface"});
   v.number(p.width_m, {.key = "widthM",
                        .min = 0,
                        .max = 100000,
@@ -77,12 +84,8 @@ void visit(Visitor& v, Params& p) {
            {{Height::kPercentile, "percentile", "5th percentile of its radii"},
             {Height::kLeast, "least", "the paper's: its least radius, which one bad ray spoils"},
             {Height::kMinorAxis, "minor-axis", "half its shorter axis"}});
-  v.number(p.height_factor, {.key = "heightFactor",
-                             .min = 0.05,
-                             .max = 4,
-                             .ui_min = 0.2,
-                             .ui_max = 2,
-                             .help = "Times this"});
+  v.number(p.height_factor,
+           {.key = "heightFactor", .min = 0.05, .max = 4, .ui_min = 0.2, .ui_max = 2, .help = "Times this"});
   v.number(p.flatten, {.key = "flatten",
                        .min = 0,
                        .max = 1,
@@ -138,8 +141,9 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.collider, {.key = "collider", .help = "Shapes for an engine's physics", .advanced = true},
            {{Collider::kNone, "none", "none"},
             {Collider::kHull, "hull", "a convex hull a pebble, of at most 32 vertices"}});
-  v.flag(p.quantize, {.key = "quantize", .help = "Smaller files: whole numbers for positions, normals and texture "
-                                                 "coordinates (KHR_mesh_quantization)",
+  v.flag(p.quantize, {.key = "quantize",
+                      .help = "Smaller files: whole numbers for positions, normals and texture "
+                              "coordinates (KHR_mesh_quantization)",
                       .advanced = true});
   v.integer(p.scatter, {.key = "scatter",
                         .min = 0,

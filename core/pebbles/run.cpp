@@ -9,6 +9,7 @@
 #include "tessera/image/resample.h"
 #include "tessera/pebbles/edits.h"
 #include "tessera/pebbles/outlines.h"
+#include "tessera/pebbles/scene.h"
 #include "tessera/pebbles/segment_tree.h"
 
 namespace tessera::pebbles {
@@ -85,12 +86,7 @@ PieceSheet sheet_of(const ImageView& photo, const cv::Mat1i& labels, const std::
 
 }  // namespace
 
-double metres_per_pixel(const Params& params, int width) {
-  if (params.pixels_per_m > 0) return 1 / params.pixels_per_m;
-  return (params.width_m > 0 ? params.width_m : 1) / width;
-}
-
-Result<Output> run(const Pictures& pictures, const Params& params, const RunContext& context) {
+Result<Output> run(const Pictures& pictures, const Params& params, std::uint64_t seed, const RunContext& context) {
   const ImageView& photo = pictures.photo;
   if (photo.width < 1 || photo.height < 1)
     return fail(StatusCode::kInvalidInput, "photo", "has no pixels; expected at least 1 x 1");
@@ -122,6 +118,8 @@ Result<Output> run(const Pictures& pictures, const Params& params, const RunCont
   output.grains = measure_grains(output.pebbles);
   output.metres_per_px = metres_per_pixel(params, photo.width);
   output.sheet = sheet_of(photo, output.labels, output.pebbles, 1000 * output.metres_per_px * photo.width);
+  context.stage("meshes");
+  output.scene = build_scene(output.pebbles, output.labels, photo, params, seed);
   context.progress(1);
   return output;
 }

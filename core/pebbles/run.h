@@ -6,6 +6,7 @@
 
 #include "tessera/base/run_context.h"
 #include "tessera/geometry/piece.h"
+#include "tessera/geometry/scene.h"
 #include "tessera/image/image_view.h"
 #include "tessera/pebbles/grains.h"
 #include "tessera/pebbles/params.h"
@@ -23,15 +24,13 @@ struct Output {
   std::vector<Pebble> pebbles;  // in source pixels; ids from 1, in reading order
   std::vector<Grain> grains;    // one a pebble, in their order
   double metres_per_px = 0;
+  Scene scene;       // the stones
   PieceSheet sheet;  // the outlines, in source pixels
 };
-
-// World size of a source pixel: widthM or pixelsPerM, or else a photo one metre wide.
-double metres_per_pixel(const Params& params, int width);
 
 // The pictures are read during the call only; all parameters are valid. A photo without pebbles makes an empty field
 // and a warning. Fails with kInvalidInput for a photo without pixels or labels of another size, kCancelled or
 // kTimeout as `context` says. Same arguments, same result, for any number of threads.
-Result<Output> run(const Pictures& pictures, const Params& params, const RunContext& context);
+Result<Output> run(const Pictures& pictures, const Params& params, std::uint64_t seed, const RunContext& context);
 
 }  // namespace tessera::pebbles

@@ -22,8 +22,7 @@ class World {
  public:
   World(const ImageView& photo, const Params& params)
       : middle_{photo.width / 2.0, photo.height / 2.0},
-        metres_(params.pixels_per_m > 0 ? 1 / params.pixels_per_m
-                                        : (params.width_m > 0 ? params.width_m : 1) / photo.width) {
+        metres_(metres_per_pixel(params, photo.width)) {
     for (double step = metres_ / 1000; step < 1 && digits_ < 1e15; step *= 10) digits_ *= 10;
   }
 

@@ -1,9 +1,12 @@
 #include "tessera/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <list>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "tessera/cli/flags.h"
 #include "tessera/cli/messages.h"
@@ -31,11 +34,15 @@ class SettingFlags {
     std::vector<std::string> extensions;
     for (const std::string& format : formats) extensions.push_back("." + format);
     const std::string kinds = extensions.empty() ? "" : ": " + either_of(extensions);
-    add("-o,--output", settings_.outputs, "FILE",
+    add("-o,--output", paths_, "FILE",
         "Where the result goes, its kind follows the extension" + kinds +
             "; several are allowed, - is standard output")
         ->allow_extra_args(false)
         ->take_all();
+    // "labels.png" may also be asked for by name, whatever the file is called.
+    for (const std::string& format : formats)
+      if (const std::size_t dot = format.find('.'); dot != std::string::npos)
+        add(("--" + format.substr(0, dot)).c_str(), named_[format], "FILE", "The same as -o FILE." + format);
     add("--format", settings_.format, "KIND", "Kind of an output whose name has no extension, as -");
     add("--report", settings_.report, "FILE", "Write times, counts and checksums as JSON");
     add("--save-job", settings_.save_job, "FILE", "Write the job as JSON, for tessera run");
@@ -45,6 +52,9 @@ class SettingFlags {
 
   Settings read(Problems& problems) const {
     Settings settings = settings_;
+    for (const std::string& path : paths_) settings.outputs.push_back({path, ""});
+    for (const auto& [format, path] : named_)
+      if (!path.empty()) settings.outputs.push_back({path, format});
     read_settings(common_.given(), settings, problems);
     return settings;
   }
@@ -54,6 +64,8 @@ class SettingFlags {
  private:
   static constexpr const char* kGroup = "Run";
   Settings settings_;
+  std::vector<std::string> paths_;
+  std::map<std::string, std::string> named_;  // format -> path
   ParameterFlags common_;
 };
 
@@ -102,6 +114,7 @@ class TechniqueCommand {
     command.job.params = technique_.defaults;
     Json given = main_.given();
     given.update(advanced_.given());
+    take_file(given, command.job);
     read_params(given, command.job.params, problems);
     for (const ParameterFlags* flags : {&main_, &advanced_}) flags->name_flags(problems);
     run_.name_flags(problems);
@@ -109,6 +122,21 @@ class TechniqueCommand {
   }
 
  private:
+  // "--segmenter FILE": what is none of the choices is an input's path.
+  void take_file(Json& given, Job& job) const {
+    const std::vector<Parameter> parameters = parameters_of(technique_.defaults);
+    for (const InputRole& role : technique_.inputs) {
+      const auto value = given.find(std::string(role.parameter));
+      if (role.parameter.empty() || value == given.end()) continue;
+      const auto parameter = std::find_if(parameters.begin(), parameters.end(),
+                                          [&](const Parameter& p) { return p.info.key == role.parameter; });
+      const std::string text = value->get<std::string>();
+      if (!complaint(*parameter, *value) || !std::filesystem::exists(text)) continue;
+      job.inputs[std::string(role.name)] = text;
+      *value = std::string(role.chosen);
+    }
+  }
+
   const Technique& technique_;
   CLI::App& app_;
   std::map<std::string, std::string> inputs_;
@@ -161,6 +189,22 @@ class SchemaCommand {
   PrintSchema command_;
 };
 
+// "--ground" is "--ground=true" where neither true nor false follows.
+std::vector<std::string> with_flag_values(int argc, const char* const* argv) {
+  std::set<std::string> flags;
+  for (const Technique& technique : techniques())
+    for (const Parameter& parameter : parameters_of(technique.defaults))
+      if (parameter.kind == ParameterKind::kFlag) flags.insert(flag_of(parameter));
+  std::vector<std::string> arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view next = i + 1 < argc ? argv[i + 1] : "";
+    const bool is_bare = flags.count(argv[i]) != 0 && next != "true" && next != "false";
+    arguments.push_back(is_bare ? std::string(argv[i]) + "=true" : argv[i]);
+  }
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  return arguments;
+}
+
 Status no_command(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -182,7 +226,7 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   const SchemaCommand schema(app);
 
   try {
-    app.parse(argc, argv);
+    app.parse(with_flag_values(argc, argv));
   } catch (const CLI::Success& done) {
     return tl::unexpected<int>(app.exit(done));
   } catch (const CLI::ParseError& error) {

@@ -1,10 +1,12 @@
 #include "tessera/cli/inputs.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "tessera/io/file.h"
 #include "tessera/io/sha256.h"
+#include "tessera/job/techniques.h"
 
 namespace tessera {
 namespace {
@@ -16,12 +18,13 @@ std::string located(const std::string& path, const std::string& folder) {
   return std::filesystem::exists(beside, error) ? beside.string() : path;
 }
 
-Result<Input> read_input(const std::string& path, const std::string& folder, std::uint64_t max_pixels,
+Result<Input> read_input(const std::string& path, const std::string& folder, std::uint64_t max_pixels, bool numbers,
                          bool with_checksum) {
   auto file = read_file(located(path, folder));
   if (!file) return tl::unexpected<Status>(std::move(file.error()));
   const std::string& bytes = *file;
-  auto picture = decode_picture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, max_pixels);
+  const auto decode = numbers ? decode_numbers : decode_picture;
+  auto picture = decode({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, max_pixels);
   if (!picture) return fail(picture.error().code, input_name(path), picture.error().message);
   return Input{path, with_checksum ? sha256_hex(bytes) : "", *std::move(picture)};
 }
@@ -33,7 +36,10 @@ tl::expected<std::map<std::string, Input>, Problems> read_inputs(const Job& job,
   std::map<std::string, Input> inputs;
   Problems problems;
   for (const auto& [role, path] : job.inputs) {
-    auto input = read_input(path, folder, max_pixels, with_checksums);
+    const auto& roles = technique_of(job.params).inputs;
+    const bool numbers = std::any_of(roles.begin(), roles.end(),
+                                     [&role = role](const InputRole& r) { return r.name == role && r.numbers; });
+    auto input = read_input(path, folder, max_pixels, numbers, with_checksums);
     if (input) {
       inputs.emplace(role, *std::move(input));
     } else {

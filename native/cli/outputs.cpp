@@ -41,7 +41,8 @@ std::string format_trouble(const std::string& format, const Technique& technique
 
 void check_repetition(const Settings& settings, Problems& problems) {
   std::set<std::string> seen;
-  std::vector<std::string> paths = settings.outputs;
+  std::vector<std::string> paths;
+  for (const OutputFile& output : settings.outputs) paths.push_back(output.path);
   for (const std::string& path : {settings.report, settings.save_job}) {
     if (!path.empty()) paths.push_back(path);
   }
@@ -67,8 +68,8 @@ std::vector<std::string> plan_formats(const Settings& settings, const Job& job, 
     refuse("", "there is no output, expected -o FILE");
   }
   std::vector<std::string> formats;
-  for (const std::string& path : settings.outputs) {
-    const std::string extension = extension_of(path, technique);
+  for (const auto& [path, format] : settings.outputs) {
+    const std::string extension = format.empty() ? extension_of(path, technique) : format;
     formats.push_back(extension.empty() ? settings.format : extension);
     if (std::string trouble = format_trouble(formats.back(), technique); !trouble.empty()) {
       refuse(path, std::move(trouble));
@@ -92,7 +93,7 @@ Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const J
   for (std::size_t i = 0; i < result.artifacts.size(); ++i) {
     const Artifact& artifact = result.artifacts[i];
     const std::string path =
-        i < settings.outputs.size() ? settings.outputs[i] : file_name_in(settings.plots, artifact.name);
+        i < settings.outputs.size() ? settings.outputs[i].path : file_name_in(settings.plots, artifact.name);
     if (auto done = write(path, artifact.bytes); !done) return tl::unexpected<Status>(std::move(done.error()));
   }
   if (!settings.save_job.empty()) {

@@ -12,8 +12,14 @@
 
 namespace tessera {
 
+// A file to write; "-" is standard output.
+struct OutputFile {
+  std::string path;
+  std::string format;  // empty: its name says it
+};
+
 struct Settings {
-  std::vector<std::string> outputs;  // paths; "-" is standard output
+  std::vector<OutputFile> outputs;
   std::string format;                // of outputs whose name has no extension, as "-"
   std::string report;                // path; empty: none
   std::string save_job;              // path; empty: none

@@ -1,6 +1,7 @@
 // PNG through libpng, which checks every chunk's CRC, the stream's end and IEND.
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstring>
 #include <vector>
@@ -45,17 +46,19 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  // Everything up to the pixels; sets how they are to come.
-  bool read_header() {
+  // Everything up to the pixels; sets how they are to come: as 8-bit RGB or RGBA, or as they are.
+  bool read_header(bool as_they_are) {
     // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way to give up
     if (!info_ || setjmp(png_jmpbuf(png_))) return false;
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // ours have been checked
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, reinterpret_cast<png_const_bytep>("eXIf"), 1);
     png_read_info(png_, info_);
-    png_set_expand(png_);
-    png_set_scale_16(png_);
-    png_set_gray_to_rgb(png_);
+    if (!as_they_are) {
+      png_set_expand(png_);
+      png_set_scale_16(png_);
+      png_set_gray_to_rgb(png_);
+    }
     passes_ = png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     return true;
@@ -86,11 +89,13 @@ class Reader {
   int passes_ = 1;
 };
 
-}  // namespace
+constexpr std::size_t kSignatureAndHeader = 8 + 8 + 13 + 4;
 
-Result<Decoded> decode_png(Bytes file, std::uint64_t max_pixels) {
-  constexpr std::size_t kSignatureAndHeader = 8 + 8 + 13 + 4;
-  if (file.size() < kSignatureAndHeader || std::memcmp(&file[12], "IHDR", 4) != 0) return damaged("PNG", "no header");
+bool has_header(Bytes file) { return file.size() >= kSignatureAndHeader && std::memcmp(&file[12], "IHDR", 4) == 0; }
+
+// `stored_bytes` a pixel as the file has them, 0: as colours.
+Result<Decoded> decode(Bytes file, std::uint64_t max_pixels, int stored_bytes) {
+  if (!has_header(file)) return damaged("PNG", "no header");
   const std::uint32_t width = read_number(file, 16, 4, ByteOrder::kBig);
   const std::uint32_t height = read_number(file, 20, 4, ByteOrder::kBig);
   if (auto size = check_size(width, height, max_pixels); !size)
@@ -98,13 +103,34 @@ Result<Decoded> decode_png(Bytes file, std::uint64_t max_pixels) {
 
   Source source{file};
   Reader reader(source);
-  if (!reader.read_header()) return damaged("PNG", source.message);
-  const int channels = reader.channels();
-  Decoded decoded{make_picture(width, height, channels)};
-  const std::size_t stride = std::size_t{width} * static_cast<std::size_t>(channels);
+  if (!reader.read_header(stored_bytes != 0)) return damaged("PNG", source.message);
+  const int bytes = stored_bytes != 0 ? stored_bytes : reader.channels();
+  Decoded decoded{make_picture(width, height, std::max(3, bytes))};
+  const std::size_t stride = std::size_t{width} * static_cast<std::size_t>(bytes);
   if (!reader.read_rows(decoded.picture.rgb.get(), stride, height)) return damaged("PNG", source.message);
-  if (channels == 4) lay_over_white(decoded.picture, Alpha::kStraight);
+  if (bytes == 4) lay_over_white(decoded.picture, Alpha::kStraight);
   decoded.orientation = reader.orientation();
+  return decoded;
+}
+
+}  // namespace
+
+Result<Decoded> decode_png(Bytes file, std::uint64_t max_pixels) { return decode(file, max_pixels, 0); }
+
+bool is_16_bit_grey_png(Bytes file) {
+  constexpr std::size_t kDepth = 24, kColourType = 25;
+  return has_header(file) && file[1] == 'P' && file[kDepth] == 16 && file[kColourType] == PNG_COLOR_TYPE_GRAY;
+}
+
+Result<Decoded> decode_png_numbers(Bytes file, std::uint64_t max_pixels) {
+  auto decoded = decode(file, max_pixels, 2);
+  if (!decoded) return decoded;
+  // Two bytes a pixel become three, from the last one on.
+  std::uint8_t* const bytes = decoded->picture.rgb.get();
+  for (std::size_t i = static_cast<std::size_t>(decoded->picture.width) * decoded->picture.height; i-- > 0;) {
+    const std::uint8_t high = bytes[2 * i], low = bytes[2 * i + 1];
+    bytes[3 * i] = 0, bytes[3 * i + 1] = high, bytes[3 * i + 2] = low;
+  }
   return decoded;
 }
 

@@ -20,6 +20,9 @@ struct Decoded {
 };
 
 Result<Decoded> decode_png(Bytes file, std::uint64_t max_pixels);
+// Only PNGs of 16-bit grey; see decode_numbers.
+bool is_16_bit_grey_png(Bytes file);
+Result<Decoded> decode_png_numbers(Bytes file, std::uint64_t max_pixels);
 Result<Decoded> decode_jpeg(Bytes file, std::uint64_t max_pixels);
 Result<Decoded> decode_webp(Bytes file, std::uint64_t max_pixels);
 Result<Decoded> decode_tiff(Bytes file, std::uint64_t max_pixels);

@@ -92,4 +92,11 @@ Result<Picture> decode_picture(std::span<const std::uint8_t> bytes, std::uint64_
   return turned_upright(std::move(decoded->picture), decoded->orientation);
 }
 
+Result<Picture> decode_numbers(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels) {
+  if (!is_16_bit_grey_png(bytes)) return decode_picture(bytes, max_pixels);
+  auto decoded = decode_png_numbers(bytes, max_pixels);
+  if (!decoded) return tl::unexpected<Status>(std::move(decoded.error()));
+  return turned_upright(std::move(decoded->picture), decoded->orientation);
+}
+
 }  // namespace tessera

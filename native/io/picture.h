@@ -23,5 +23,8 @@ struct Picture {
 // it is of another kind, damaged, cut short, empty or of more than `max_pixels`; that is found in the header, before
 // memory is taken for the pixels.
 Result<Picture> decode_picture(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels);
+// The same of a picture whose pixels are numbers rather than colours: those of a PNG of 16-bit grey are kept, as the
+// bytes 0, high, low of a pixel.
+Result<Picture> decode_numbers(std::span<const std::uint8_t> bytes, std::uint64_t max_pixels);
 
 }  // namespace tessera
