@@ -9,6 +9,6 @@ namespace tessera::pebbles {
 
 // Takes out the labels of regions too small, or that stand out too little: whose mean colour differs from that of
 // what lies around by less than params.contrast times the grain of their own surface.
-void drop_indistinct(const cv::Mat3b& photo, const Params& params, cv::Mat1i& labels);
+void drop_indistinct(const cv::Mat3b& lab, const Params& params, cv::Mat1i& labels);
 
 }  // namespace tessera::pebbles

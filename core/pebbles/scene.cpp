@@ -21,8 +21,7 @@ constexpr double kFinerForRelief = 4;     // times as small a mesh error
 class World {
  public:
   World(const ImageView& photo, const Params& params)
-      : middle_{photo.width / 2.0, photo.height / 2.0},
-        metres_(metres_per_pixel(params, photo.width)) {
+      : middle_{photo.width / 2.0, photo.height / 2.0}, metres_(metres_per_pixel(params, photo.width)) {
     for (double step = metres_ / 1000; step < 1 && digits_ < 1e15; step *= 10) digits_ *= 10;
   }
 
