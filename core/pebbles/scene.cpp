@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -69,14 +70,19 @@ std::vector<double> meridians_of(const Pebble& pebble, int count) {
   return radii;
 }
 
-// Vertices of the upper half moved along their normals as the photo's shading says, less and less towards the rim.
+// A point on the axis halfway up: all of the surface is seen from there.
+glm::dvec3 heart_of(const Mesh& mesh) { return {0, 0.5 * (mesh.positions.front().y + mesh.positions.back().y), 0}; }
+
+// Vertices of the upper half moved as the photo's shading says, less and less towards the rim. By as much as stands
+// out along the normal, but towards or away from the heart: nothing folds over.
 void raise(Mesh& mesh, const Shading& shading, Point centre, Bumps bumps) {
+  const glm::dvec3 heart = heart_of(mesh);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);
     if (normal.y <= 0) continue;
     glm::vec3& position = mesh.positions[v];
-    const double height = bumps.at(centre + Point{position.x, position.z}, shading);
-    position += glm::vec3(height * normal.y * normal);
+    const double height = normal.y * bumps.at(centre + Point{position.x, position.z}, shading);
+    position += glm::vec3(height * glm::normalize(glm::dvec3(position) - heart));
   }
   average_normals(mesh);
 }
@@ -129,7 +135,7 @@ Stone make_stone(const Pebble& pebble, const World& world, const Params& params,
   stone.mesh.indices = triangles.of(detail);
   if (params.relief > 0)
     raise(stone.mesh, *shading, pebble.centre, bumps_of(pebble, params, params.relief, detail.meridians));
-  mend_normals(stone.mesh, {0, 0.5 * (stone.mesh.positions.front().y + stone.mesh.positions.back().y), 0});
+  mend_normals(stone.mesh, heart_of(stone.mesh));
   project_texture(stone.mesh, pebble.centre, body.radii, photo);
   if (params.normal_map) add_tangents(stone.mesh);
   if (params.collider == Collider::kHull) stone.hull = body_hull(body);
