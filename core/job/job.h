@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <variant>
@@ -57,11 +58,11 @@ struct Plot {
 
 // What a technique has made, before it is bytes, in terms that all of them share.
 struct Outcome {
-  PieceSheet sheet;                            // with the job in it
-  Scene scene{};                               // with the job in it; of techniques whose pieces are solid
-  std::map<std::string, Raster> rasters{};     // pictures besides the sheet's, by their format ("labels.png")
-  std::map<std::string, std::int64_t> counts;  // of the report
-  std::map<std::string, double> metrics;       // finite
+  PieceSheet sheet;  // with the job in it
+  Scene scene{};     // with the job in it; of techniques whose pieces are solid
+  std::map<std::string, std::function<Raster()>> rasters{};  // pictures besides the sheet's, by format ("labels.png")
+  std::map<std::string, std::int64_t> counts;                // of the report
+  std::map<std::string, double> metrics;                     // finite
   std::vector<Plot> plots;
 };
 

@@ -31,9 +31,10 @@ const Format kFormats[] = {
     {"bom.csv", "text/csv", [](const Outcome& made, double) { return write_bill_csv(made.sheet); }},
     {"glb", "model/gltf-binary", [](const Outcome& made, double) { return write_glb(made.scene); }},
     {"gltf", "model/gltf+json", [](const Outcome& made, double) { return write_gltf(made.scene); }},
-    {"labels.png", "image/png", [](const Outcome& made, double) { return write_png(made.rasters.at("labels.png")); }},
+    {"labels.png", "image/png",
+     [](const Outcome& made, double) { return write_png(made.rasters.at("labels.png")()); }},
     {"overlay.png", "image/png",
-     [](const Outcome& made, double) { return write_png(made.rasters.at("overlay.png")); }},
+     [](const Outcome& made, double) { return write_png(made.rasters.at("overlay.png")()); }},
 };
 
 // `name` is among the technique's formats.
