@@ -179,7 +179,7 @@ class Field {
       : world_(world),
         params_(params),
         photo_(photo),
-        size_(world.metres() * photo.width, world.metres() * photo.height) {}
+        size_{world.metres() * photo.width, world.metres() * photo.height} {}
 
   void add_surfaces(const std::vector<Pebble>& pebbles, const cv::Mat1i& labels, Texture texture,
                     const Shading* shading) {

@@ -10,6 +10,7 @@ namespace tessera::pebbles {
 namespace {
 
 constexpr double kRim = 1;         // px: pixels of an outline are half ground
+constexpr int kFlank = 3;          // px around a pebble
 constexpr double kFullShade = 48;  // levels of brightness that stand out by the whole height
 
 cv::Mat3b pixels_of(Texture& texture) {
@@ -138,13 +139,17 @@ Texture pebbles_texture(const ImageView& photo, const cv::Mat1i& labels) {
 }
 
 Texture ground_texture(const ImageView& photo, const cv::Mat1i& labels) {
+  // Beside a pebble the photo shows its flank and its shadow rather than the ground.
+  cv::Mat1b covered = labels > 0, wider;
+  cv::dilate(covered, wider, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kFlank + 1, 2 * kFlank + 1}));
+  if (cv::countNonZero(wider) < static_cast<int>(wider.total())) covered = wider;
+
   Holed picture(labels.size());
   const cv::Mat3b pixels = photo.mat();
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x) {
       const cv::Vec3b& v = pixels(y, x);
-      picture(y, x) = {v[0], v[1], v[2],
-                       static_cast<std::uint8_t>(labels(y, x) == 0 && within(labels, x, y) ? 255 : 0)};
+      picture(y, x) = {v[0], v[1], v[2], static_cast<std::uint8_t>(255 - covered(y, x))};
     }
   fill_holes(picture);
   Texture texture = empty_texture(labels.size());

@@ -205,6 +205,24 @@ TEST(BuildScene, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one, two);
 }
 
+// FNV-1a of the bytes.
+std::uint64_t hash_of(const std::string& bytes) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return hash;
+}
+
+TEST(BuildScene, IsTheSameOnEveryMachine) {
+  const Beach beach;
+  Params params;
+  params.relief = 0.5;
+  params.flatten = 0.3;
+  params.normal_map = params.ground = params.ground_hole = true;
+  params.collider = Collider::kHull;
+  params.layout = FieldLayout::kBoth;
+  EXPECT_EQ(hash_of(write_glb(beach.scene(params))), 10047847919629442846U);
+}
+
 TEST(BuildScene, NothingOfNothing) {
   const cv::Mat3b pixels(4, 5, cv::Vec3b(1, 2, 3));
   for (const FieldLayout layout : {FieldLayout::kNodes, FieldLayout::kMerged, FieldLayout::kBoth})
