@@ -105,7 +105,7 @@ class UsageTest(CliTest):
             self.succeed(command, '--help')
 
     def test_wrong_usage(self):
-        self.fail_with(2, says=['expected pave, mosaic, run or schema'])
+        self.fail_with(2, says=['expected pave, mosaic, pebbles, run or schema'])
         self.fail_with(2, 'fold', says=['fold'])
         self.fail_with(2, 'pave', says=['DRAWING'])
         self.fail_with(2, 'pave', 'disc.png', says=['-o'])
@@ -115,7 +115,7 @@ class UsageTest(CliTest):
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a', says=['a: has no extension'])
         self.fail_with(2, 'pave', 'disc.png', '-o', '-', says=['--format'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '-o', 'a.svg', says=['two outputs'])
-        self.fail_with(2, 'schema', 'cheese', says=['cheese', 'expected pavement or mosaic'])
+        self.fail_with(2, 'schema', 'cheese', says=['cheese', 'expected pavement, mosaic or pebbles'])
 
     def test_parameters_out_of_range(self):
         done = self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '--half-side', '0.2')
