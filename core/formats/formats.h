@@ -6,6 +6,7 @@
 // pixels.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,16 @@ std::string write_csv(const PieceSheet& sheet);
 std::string write_bill_csv(const PieceSheet& sheet);
 // PNG picture of the sheet, 8-bit RGB, anti-aliased by exact coverage, `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
+
+// RGB pixels, row after row, `width * height` of them.
+struct AnimationFrame {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+// The way to the sheet as an animated PNG, again and again: the sheet, drawn as large as the frames, for two seconds,
+// then the frames, which are all of one size, ten a second. Programs that know no animation show the sheet. Without
+// frames the sheet alone, `scale` output pixels a source pixel.
+std::string write_apng(const PieceSheet& sheet, const std::vector<AnimationFrame>& frames, double scale = 1);
 
 // One or more histograms over the same bins, as an SVG plot with axes and a legend. Values are finite and >= 0.
 struct Histogram {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "tessera/formats/formats.h"
 #include "tessera/job/job_json.h"
+#include "tessera/job/recorder.h"
 #include "tessera/job/techniques.h"
 
 namespace tessera {
@@ -19,16 +21,18 @@ constexpr double kMaxPngScale = 16;
 struct Format {
   const char* name;
   const char* media_type;
-  std::string (*write)(const PieceSheet& sheet, double png_scale);
+  std::string (*write)(const Outcome& outcome, double png_scale);
 };
 
 const Format kFormats[] = {
-    {"svg", "image/svg+xml", [](const PieceSheet& sheet, double) { return write_svg(sheet); }},
-    {"dxf", "image/vnd.dxf", [](const PieceSheet& sheet, double) { return write_dxf(sheet); }},
-    {"png", "image/png", [](const PieceSheet& sheet, double scale) { return write_png(sheet, scale); }},
-    {"json", "application/geo+json", [](const PieceSheet& sheet, double) { return write_geojson(sheet); }},
-    {"csv", "text/csv", [](const PieceSheet& sheet, double) { return write_csv(sheet); }},
-    {"bom.csv", "text/csv", [](const PieceSheet& sheet, double) { return write_bill_csv(sheet); }},
+    {"svg", "image/svg+xml", [](const Outcome& outcome, double) { return write_svg(outcome.sheet); }},
+    {"dxf", "image/vnd.dxf", [](const Outcome& outcome, double) { return write_dxf(outcome.sheet); }},
+    {"png", "image/png", [](const Outcome& outcome, double scale) { return write_png(outcome.sheet, scale); }},
+    {"json", "application/geo+json", [](const Outcome& outcome, double) { return write_geojson(outcome.sheet); }},
+    {"csv", "text/csv", [](const Outcome& outcome, double) { return write_csv(outcome.sheet); }},
+    {"bom.csv", "text/csv", [](const Outcome& outcome, double) { return write_bill_csv(outcome.sheet); }},
+    {"apng", "image/apng",
+     [](const Outcome& outcome, double scale) { return write_apng(outcome.sheet, outcome.frames, scale); }},
 };
 
 // `name` is among the technique's formats.
@@ -83,7 +87,7 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
   for (const std::string& name : request.formats) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
     const Format& format = format_of(name);
-    artifacts.push_back({format.name, format.media_type, format.write(outcome.sheet, scale)});
+    artifacts.push_back({format.name, format.media_type, format.write(outcome, scale)});
     context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));
   }
   if (request.plots) {
@@ -152,6 +156,27 @@ tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, co
   return guarded([&] { return write_valid_artifacts(outcome, request, context); });
 }
 
+namespace {
+
+// compute_job(), with its iterations where the request is for them.
+tl::expected<Outcome, Problems> compute_recorded(const Job& job, const Pictures& pictures, const JobRequest& request,
+                                                 Rasterizer& rasterizer, const RunContext& context,
+                                                 const IterationObserver& observer) {
+  if (std::find(request.formats.begin(), request.formats.end(), "apng") == request.formats.end())
+    return compute_job(job, pictures, rasterizer, context, observer);
+  const std::string_view main_role = technique_of(job.params).inputs.front().name;
+  Recorder recorder(pictures.at(std::string(main_role)));
+  const IterationObserver record = [&](const Iteration& iteration) {
+    recorder.record(iteration);
+    if (observer) observer(iteration);
+  };
+  auto outcome = compute_job(job, pictures, rasterizer, context, record);
+  if (outcome) outcome->frames = recorder.take();
+  return outcome;
+}
+
+}  // namespace
+
 tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
                                           Rasterizer& rasterizer, const RunContext& context,
                                           const IterationObserver& observer) {
@@ -160,7 +185,7 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
   check_request(technique_of(job.params), request, problems);
   check_pictures(technique_of(job.params), pictures, problems);
   if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
-  auto outcome = compute_job(job, pictures, rasterizer, part_of(context, 0, kTechniqueShare), observer);
+  auto outcome = compute_recorded(job, pictures, request, rasterizer, part_of(context, 0, kTechniqueShare), observer);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
   if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));

@@ -14,7 +14,7 @@ const std::vector<Technique>& techniques() {
        .command = "pave",
        .help = "Portuguese pavement from a black-and-white (or coloured) drawing",
        .inputs = {{"drawing", "The drawing to pave"}},
-       .formats = {"svg", "dxf", "png", "json", "csv"},
+       .formats = {"svg", "dxf", "png", "json", "csv", "apng"},
        .defaults = pavement::Params{},
        .run = run_pavement_job},
       {.name = "mosaic",
@@ -24,7 +24,7 @@ const std::vector<Technique>& techniques() {
                   {"edges", "Lines that rows of tiles follow, instead of the photo's own edges", false},
                   {"direction", "Directions of the tiles: grey 0 to 255 is an angle of 0 to 180 degrees", false},
                   {"regions", "Sizes of the tiles: its colours stand for those of --region-sizes", false}},
-       .formats = {"svg", "dxf", "png", "json", "csv", "bom.csv"},
+       .formats = {"svg", "dxf", "png", "json", "csv", "bom.csv", "apng"},
        .defaults = mosaic::Params{},
        .run = run_mosaic_job},
   };
