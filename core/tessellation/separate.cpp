@@ -149,6 +149,16 @@ std::vector<Ring> separate_pieces(const Tessellation& t, const std::vector<char>
   return pieces;
 }
 
+Ring rounded_outline(const Ring& ring, double parts) {
+  Ring rounded;
+  for (const Point p : ring) rounded.push_back({std::round(p.x * parts) / parts, std::round(p.y * parts) / parts});
+  if (is_outline(rounded)) return rounded;
+  merge_touching(rounded, 0.5 / parts);
+  rounded = unfolded(std::move(rounded));
+  if (ring.size() > 3) complete_triangle(rounded);
+  return rounded;
+}
+
 void shrink(Ring& ring, double grout, double half_side) {
   const double girth = perimeter(ring);
   if (girth <= 0) return;

@@ -111,7 +111,7 @@ class UsageTest(CliTest):
         self.fail_with(2, 'pave', 'disc.png', says=['-o'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '--nonsense', says=['--nonsense'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '--half-side', says=['--half-side'])
-        self.fail_with(2, 'pave', 'disc.png', '-o', 'a.bmp', says=['a.bmp', 'expected svg, dxf, png, json or csv'])
+        self.fail_with(2, 'pave', 'disc.png', '-o', 'a.bmp', says=['a.bmp', 'expected svg, dxf, png, json, csv or apng'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a', says=['a: has no extension'])
         self.fail_with(2, 'pave', 'disc.png', '-o', '-', says=['--format'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '-o', 'a.svg', says=['two outputs'])
@@ -398,7 +398,7 @@ class MosaicTest(CliTest):
         return self.succeed('mosaic', 'disc.png', *self.QUICK, *arguments)
 
     def test_every_kind_of_output(self):
-        names = ['a.svg', 'a.dxf', 'a.png', 'a.json', 'a.csv', 'a.bom.csv']
+        names = ['a.svg', 'a.dxf', 'a.png', 'a.json', 'a.csv', 'a.bom.csv', 'a.apng']
         self.mosaic('--palette', '3', '--width-mm', '240', *[word for name in names for word in ('-o', name)])
         tiles = self.bytes_of('a.svg').count(b'<path id="tile-')
         self.assertGreater(tiles, 40)
