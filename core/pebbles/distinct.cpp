@@ -9,13 +9,16 @@
 #include <vector>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/pebbles/region_tree.h"
 
 namespace tessera::pebbles {
 namespace {
 
-constexpr int kAround = 3;           // px: width of what lies around a pebble
-constexpr double kGrainSigma = 1.5;  // px: what is finer is grain
-constexpr int kFiner = 16;           // parts of a level
+constexpr int kAround = 3;               // px: width of what lies around a pebble
+constexpr double kGrainSigma = 1.5;      // px: what is finer is grain
+constexpr double kLeastSolid = 0.7;     // area against that of the convex hull
+constexpr double kLeastSolidDark = 0.85;  // of what is darker than what is around: mostly a gap between pebbles
+constexpr int kFiner = 16;               // parts of a level
 
 // Sums over pixels of Lab, in parts of a level.
 struct Tone {
@@ -34,6 +37,7 @@ struct Surface {
   Tone inside, around;
   std::int64_t grain = 0;  // sum of differences from the smoothed picture
   // Difference between the mean colours against the mean grain of the surface.
+  bool darker_than_around() const { return inside.mean(0) < around.mean(0); }
   double distinctness() const {
     double contrast = 0;
     for (int c = 0; c < 3; ++c) contrast += std::fabs(inside.mean(c) - around.mean(c));
@@ -82,10 +86,14 @@ std::vector<Surface> surfaces_of(const cv::Mat3b& lab, const cv::Mat1i& labels) 
 
 void drop_indistinct(const cv::Mat3b& lab, const Params& params, cv::Mat1i& labels) {
   const std::vector<Surface> surfaces = surfaces_of(lab, labels);
+  const std::vector<double> hulls = hull_areas(labels, static_cast<int>(surfaces.size()));
   std::vector<int> number(surfaces.size(), 0);
   for (std::size_t label = 1; label < surfaces.size(); ++label) {
     const double area = static_cast<double>(surfaces[label].inside.count);
-    if (4 * area >= kPi * params.smallest * params.smallest && surfaces[label].distinctness() >= params.contrast)
+    const double solidity = area / hulls[label];
+    const bool is_gap = surfaces[label].darker_than_around() && solidity < kLeastSolidDark;
+    if (4 * area >= kPi * params.smallest * params.smallest && solidity >= kLeastSolid && !is_gap &&
+        surfaces[label].distinctness() >= params.contrast)
       number[label] = static_cast<int>(label);
   }
   for (int& label : labels) label = number[label];
