@@ -18,6 +18,8 @@ struct Params {
   Segmenter segmenter = Segmenter::kTree;
   double smallest = 8;
   double contrast = 1.5;
+  double edge_ratio = 0.85;
+  int median_radius = 2;
   std::string edits;
   double width_m = 0;
   double pixels_per_m = 0;
@@ -106,6 +108,23 @@ void visit(Visitor& v, Params& p) {
   v.flag(p.ground_hole, {.key = "groundHole",
                          .help = "The ground's picture without the pebbles: what remains when they are taken away",
                          .advanced = true});
+  v.number(p.edge_ratio, {.key = "edgeRatio",
+                          .min = 0.05,
+                          .max = 1,
+                          .ui_min = 0.5,
+                          .ui_max = 1,
+                          .help = "Segmenter rays: below this share of a neighbour's lightness a pixel is an edge",
+                          .symbol = "tau",
+                          .advanced = true});
+  v.integer(p.median_radius, {.key = "medianRadius",
+                              .min = 0,
+                              .max = 100,
+                              .ui_min = 0,
+                              .ui_max = 15,
+                              .unit = "px",
+                              .help = "Segmenter rays: radius of the median filter that takes texture away",
+                              .symbol = "r",
+                              .advanced = true});
   v.number(p.pixels_per_m, {.key = "pixelsPerM",
                             .min = 0,
                             .max = 1000000,

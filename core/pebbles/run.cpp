@@ -10,6 +10,7 @@
 #include "tessera/pebbles/edits.h"
 #include "tessera/pebbles/outlines.h"
 #include "tessera/pebbles/scene.h"
+#include "tessera/pebbles/segment_rays.h"
 #include "tessera/pebbles/segment_tree.h"
 
 namespace tessera::pebbles {
@@ -40,7 +41,9 @@ Result<cv::Mat1i> given_labels(const Pictures& pictures) {
 // 3.1, 3.2: the mask and its slices.
 Result<cv::Mat1i> segment(const Pictures& pictures, const Params& params, const RunContext& context) {
   if (params.segmenter == Segmenter::kLabels) return given_labels(pictures);
-  return segment_by_tree(shrunk(pictures.photo, params.width), params, context);
+  const cv::Mat3b searched = shrunk(pictures.photo, params.width);
+  return params.segmenter == Segmenter::kRays ? segment_by_rays(searched, params, context)
+                                              : segment_by_tree(searched, params, context);
 }
 
 // Row by row of `height` pixels, from left to right in each; ids from 1.
