@@ -17,7 +17,7 @@ namespace {
 constexpr int kAround = 3;               // px: width of what lies around a pebble
 constexpr double kGrainSigma = 1.5;      // px: what is finer is grain
 constexpr double kLeastSolid = 0.7;     // area against that of the convex hull
-constexpr double kLeastSolidDark = 0.85;  // of what is darker than what is around: mostly a gap between pebbles
+constexpr double kLeastSolidDark = 0.9;  // of what is darker than what is around: mostly a gap between pebbles
 constexpr int kFiner = 16;               // parts of a level
 
 // Sums over pixels of Lab, in parts of a level.
