@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kBodyShare = 0.3;  // of a label's pixels are darker than its body's lightness
 constexpr double kNearer = 0.4;     // of the way from gap to body: where the pebble begins
-constexpr int kFaintest = 4;        // levels of lightness: a gap that is less dark is none
+constexpr int kFaintest = 4,
+              kFaintestShare = 6;  // levels, and one part in so many of the body's: what is less dark is shade
 
 std::vector<int> body_lightness(const cv::Mat1b& lightness, const cv::Mat1i& labels, int count) {
   std::vector<std::array<int, 256>> histogram(count + 1);
@@ -29,6 +30,9 @@ std::vector<int> body_lightness(const cv::Mat1b& lightness, const cv::Mat1i& lab
   return body;
 }
 
+// How much darker than the body a gap is at least.
+int least_darkness(int body) { return std::max(kFaintest, body / kFaintestShare); }
+
 // Floods each label from its border; the flood remembers the darkest it has come through.
 void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Mat1i& labels) {
   struct Wave {
@@ -39,7 +43,7 @@ void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Ma
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x) {
       const int label = labels(y, x);
-      if (label == 0 || lightness(y, x) + kFaintest >= body[label]) continue;
+      if (label == 0 || lightness(y, x) + least_darkness(body[label]) >= body[label]) continue;
       bool at_border = false;
       each_neighbour(labels, y, x, [&](int v, int u) { at_border |= labels(v, u) != label; });
       if (!at_border) continue;
@@ -52,7 +56,7 @@ void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Ma
     each_neighbour(labels, wave.y, wave.x, [&](int v, int u) {
       if (wet(v, u) || labels(v, u) != label) return;
       const int darkest = std::min<int>(wave.darkest, lightness(v, u)), rise = body[label] - darkest;
-      if (rise <= kFaintest || lightness(v, u) >= darkest + kNearer * rise) return;
+      if (rise <= least_darkness(body[label]) || lightness(v, u) >= darkest + kNearer * rise) return;
       wet(v, u) = 1;
       waves.push_back({v, u, darkest});
     });

@@ -482,12 +482,12 @@ class PebblesTest(CliTest):
         first = scene['nodes'][0]
         self.assertAlmostEqual(first['translation'][0], -0.6, delta=0.02)  # metres from the middle
         self.assertAlmostEqual(first['translation'][2], -0.3, delta=0.02)
-        self.assertAlmostEqual(first['extras']['area_px'], 484 * 3.1416, delta=250)
+        self.assertAlmostEqual(first['extras']['area_px'], 484 * 3.1416, delta=30)
         self.assertEqual(len(json.loads(self.bytes_of('p.gltf'))['nodes']), 6)
         rows = self.bytes_of('p.csv').decode().splitlines()
         self.assertEqual(len(rows), 7)
         b_mm = float(rows[1].split(',')[rows[0].split(',').index('b_mm')])
-        self.assertAlmostEqual(b_mm, 440, delta=30)
+        self.assertAlmostEqual(b_mm, 440, delta=10)
         header = struct.unpack('>IIBB', self.bytes_of('p.labels.png')[16:26])
         self.assertEqual(header, (180, 120, 16, 0))
 
