@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Makes the pictures of the mosaic's presets in public/presets: what the native program makes of a piece of a sample.
+"""Makes the pictures of the presets in public/presets: what the native program makes of a small wave, a pavement's, and
+of a piece of a sample, a mosaic's.
 
 usage: python3 scripts/make_presets.py [TESSERA]     (else build/native-release/bin/tessera)
 """
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -14,32 +16,54 @@ from paint_samples import png
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 SAMPLE = ROOT / 'public/samples/fruit.png'
-LEFT, TOP, WIDTH, HEIGHT = 200, 432, 152, 114  # of the piece
+LEFT, TOP, WIDTH, HEIGHT = 200, 432, 152, 114  # of the piece, and the size of all pictures
+LIGHT, DARK = (232, 232, 228), (34, 34, 34)
+
+
+def wave():
+    """One wave, light above dark, as a picture's rows of pixels."""
+    def pixel(x, y):
+        edge = HEIGHT / 2 + 23.5 * math.cos(2 * math.pi * (x + 0.5 - 54) / WIDTH)
+        dark = min(max(y + 1 - edge, 0), 1)  # part of the pixel
+        return tuple(light + dark * (deep - light) for light, deep in zip(LIGHT, DARK))
+    return [[pixel(x, y) for x in range(WIDTH)] for y in range(HEIGHT)]
+
+
+def piece(width, height, rows):
+    """The piece of the sample, and which part of the sample it is."""
+    pixels = [[tuple(row[3 * x:3 * x + 3]) for x in range(LEFT, LEFT + WIDTH)] for row in rows[TOP:TOP + HEIGHT]]
+    return pixels, WIDTH * HEIGHT / (width * height)
+
+
+def make(tessera, folder, technique, role, params):
+    """What the program makes of input.png in the folder: width, height, rows of bytes."""
+    job, made = pathlib.Path(folder, 'job.json'), pathlib.Path(folder, 'made.png')
+    job.write_text(json.dumps({'schemaVersion': 1, 'technique': technique, 'seed': 1, 'params': params,
+                               'inputs': {role: 'input.png'}}), encoding='utf-8')
+    subprocess.run([tessera, 'run', job, '-o', made, '--backend', 'cpu', '--quiet'], check=True)
+    return decoded(made.read_bytes())
+
+
+def reduced(width, height, rows):
+    """The picture's size again; the program draws a small picture larger."""
+    step = width // WIDTH
+    return [[tuple(sum(rows[y * step + j][3 * (x * step + i) + c] for j in range(step) for i in range(step)) / step ** 2
+                   for c in range(3)) for x in range(WIDTH)] for y in range(HEIGHT)]
 
 
 def main():
     tessera = sys.argv[1] if len(sys.argv) > 1 else ROOT / 'build/native-release/bin/tessera'
-    presets = json.loads((ROOT / 'web/src/techniques/presets.json').read_text(encoding='utf-8'))['mosaic']
-    width, height, rows = decoded(SAMPLE.read_bytes())
-    piece = [[tuple(row[3 * x:3 * x + 3]) for x in range(LEFT, LEFT + WIDTH)] for row in rows[TOP:TOP + HEIGHT]]
-    part = WIDTH * HEIGHT / (width * height)
+    presets = json.loads((ROOT / 'web/src/techniques/presets.json').read_text(encoding='utf-8'))
+    photo, part = piece(*decoded(SAMPLE.read_bytes()))
     with tempfile.TemporaryDirectory() as folder:
-        photo, job = pathlib.Path(folder, 'piece.png'), pathlib.Path(folder, 'job.json')
-        photo.write_bytes(png(piece))
-        for preset in presets:
-            params = {**preset['params'], 'tiles': round(preset['params'].get('tiles', 2000) * part)}
-            job.write_text(json.dumps({'schemaVersion': 1, 'technique': 'mosaic', 'seed': 1, 'params': params,
-                                       'inputs': {'photo': photo.name}}), encoding='utf-8')
-            made = pathlib.Path(folder, 'made.png')
-            subprocess.run([tessera, 'run', job, '-o', made, '--quiet'], check=True)
-            (ROOT / 'public' / preset['picture']).write_bytes(png(reduced(*decoded(made.read_bytes()))))
-
-
-def reduced(width, height, rows):
-    """The piece's size again; the program draws a small picture larger."""
-    step = width // WIDTH
-    return [[tuple(sum(rows[y * step + j][3 * (x * step + i) + c] for j in range(step) for i in range(step)) / step ** 2
-                   for c in range(3)) for x in range(WIDTH)] for y in range(HEIGHT)]
+        for technique, role, picture in (('pavement', 'drawing', wave()), ('mosaic', 'photo', photo)):
+            pathlib.Path(folder, 'input.png').write_bytes(png(picture))
+            for preset in presets[technique]:
+                params = dict(preset['params'])
+                if technique == 'mosaic':
+                    params['tiles'] = round(params.get('tiles', 2000) * part)
+                result = reduced(*make(tessera, folder, technique, role, params))
+                (ROOT / 'public' / preset['picture']).write_bytes(png(result))
 
 
 if __name__ == '__main__':

@@ -6,6 +6,7 @@
 // pixels.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,15 @@ std::string write_png(const Raster& raster);
 std::string write_png(const PieceSheet& sheet, double scale = 1);
 
 // glTF 2.0 as one binary file, and as one text that holds its buffer. Textures are JPEG. A valid scene has finite
-// numbers, indices within their lists, lists of a mesh as long as its positions (> 0), triangles, a view and a mesh for
-// each node. Uses KHR_mesh_quantization where the scene wants it, EXT_mesh_gpu_instancing for instances, OMI_collider
-// for hulls; the job, as text, is `job` of the asset's extras.
+// numbers, indices within their lists, lists of a mesh as long as its positions (> 0), triangles, a view and a mesh
+// for each node. Uses KHR_mesh_quantization where the scene wants it, EXT_mesh_gpu_instancing for instances,
+// OMI_collider for hulls; the job, as text, is `job` of the asset's extras.
 std::string write_glb(const Scene& scene);
 std::string write_gltf(const Scene& scene);
+// The way to the sheet as an animated PNG, again and again: the sheet, drawn as large as the frames, for two seconds,
+// then the frames, 8-bit RGB, all of one size, ten a second. Programs that know no animation show the sheet. Without
+// frames the sheet alone, `scale` output pixels a source pixel.
+std::string write_apng(const PieceSheet& sheet, const std::vector<Raster>& frames, double scale = 1);
 
 // One or more histograms over the same bins, as an SVG plot with axes and a legend. Values are finite and >= 0.
 struct Histogram {

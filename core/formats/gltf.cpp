@@ -1,14 +1,16 @@
-// glTF 2.0 (Khronos, ISO/IEC 12113:2022). The vertices of all meshes lie in one buffer view an attribute; lists of
-// indices that are the same are written once.
-#include <tiny_gltf.h>
+// glTF 2.0 (Khronos, ISO/IEC 12113:2022). The vertices of all meshes lie in one buffer view an attribute. Fields have
+// tens of thousands of meshes: the JSON is text from the start, and values are converted where they are written to,
+// so that memory is that of the scene and of the file.
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
-#include <sstream>
+#include <type_traits>
 
 #include "tessera/formats/formats.h"
 #include "tessera/formats/jpeg.h"
@@ -16,169 +18,247 @@
 namespace tessera {
 namespace {
 
-namespace gltf = tinygltf;
-
 constexpr int kJpegQuality = 92;
 constexpr double kStepsAnEdge = 16;  // at least, of quantized positions
 constexpr int kTop16 = 32767, kTop8 = 127, kTopUnsigned16 = 65535;
 constexpr std::size_t kMostShortIndices = 65535;  // vertices; 65535 itself is no index
 
-// ---- The buffer
+// The specification's numbers.
+constexpr int kByte = 5120, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
+constexpr int kVertices = 34962, kTriangles = 34963;
+constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kClampToEdge = 33071, kMirroredRepeat = 33648;
+constexpr std::uint32_t kGlb = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
-enum Attribute { kPosition, kNormal, kTextureCoordinate, kTangent, kIndex, kTranslation, kRotation, kScale };
-constexpr const char* kNames[] = {"POSITION", "NORMAL",      "TEXCOORD_0", "TANGENT",
-                                  "",         "TRANSLATION", "ROTATION",   "SCALE"};
-constexpr int kTypes[] = {TINYGLTF_TYPE_VEC3,   TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC4,
-                          TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC3};
+enum class Attribute { kPosition, kNormal, kTangent, kTextureCoordinate, kIndex, kTranslation, kRotation, kScale };
 
-// Bytes of one buffer view to be, of values of one kind.
-struct Pool {
-  Attribute attribute;
-  int component_type;
-  std::size_t stride;  // a multiple of 4 for vertices
-  std::vector<unsigned char> bytes;
-};
-
-bool is_vertex(Attribute attribute) { return attribute < kIndex; }
+bool is_vertex(Attribute attribute) { return attribute < Attribute::kIndex; }
 
 std::size_t rounded_up(std::size_t size) { return (size + 3) / 4 * 4; }
 
-class Writer {
- public:
-  explicit Writer(const Scene& scene) : scene_(scene) {}
+// ---- Text
 
-  gltf::Model model() {
-    model_.asset.version = "2.0";
-    model_.asset.generator = "Tessera";
-    if (!scene_.job_json.empty())
-      model_.asset.extras = gltf::Value(gltf::Value::Object{{"job", gltf::Value(scene_.job_json)}});
+// Numbers as short as they can be read back.
+template <class Values>
+std::string json_list(const Values& values) {
+  return fmt::format("[{}]", fmt::join(values, ","));
+}
+
+std::string json_list(const glm::dvec3& v) { return json_list(std::array{v.x, v.y, v.z}); }
+std::string json_list(const glm::dquat& v) { return json_list(std::array{v.x, v.y, v.z, v.w}); }
+
+// Members or elements with commas between them.
+class List {
+ public:
+  template <class... Args>
+  int add(fmt::format_string<Args...> format, Args&&... args) {
+    if (count_ > 0) text_ += ',';
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    return count_++;
+  }
+  int count() const { return count_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  int count_ = 0;
+};
+
+// ---- Bytes
+
+template <class T>
+void append(std::string& bytes, const T* values, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+// Components times `scale` as T, rounded where T is whole, each vector filled up to a multiple of 4 bytes.
+template <class T, class Vector>
+void append_vectors(std::string& bytes, const std::vector<Vector>& values, double scale) {
+  constexpr auto size = static_cast<std::size_t>(Vector::length());
+  std::array<T, (size * sizeof(T) + 3) / 4 * 4 / sizeof(T)> out{};
+  for (const Vector& value : values) {
+    for (std::size_t c = 0; c < size; ++c) {
+      const auto component = value[static_cast<int>(c)] * scale;
+      if constexpr (std::is_integral_v<T>) {
+        out[c] = static_cast<T>(std::round(component));
+      } else {
+        out[c] = static_cast<T>(component);
+      }
+    }
+    append(bytes, out.data(), out.size());
+  }
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) {
+      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
+    };
+    const std::uint32_t three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[three >> shift & 63];
+  }
+  for (std::size_t k = bytes.size(); k % 3 != 0; ++k) text[text.size() - (k % 3 == 1 ? 2 : 1)] = '=';
+  return text;
+}
+
+// ---- The document
+
+// One buffer view: values of one kind, from many accessors, written at the end.
+struct View {
+  Attribute attribute;
+  int component_type;
+  std::size_t stride;  // bytes a value
+  std::size_t size = 0;
+  std::vector<std::function<void(std::string&)>> parts{};
+};
+
+class Document {
+ public:
+  explicit Document(const Scene& scene) : scene_(scene) {
     for (const Surface& surface : scene_.surfaces) add_surface(surface);
     for (const Mesh& mesh : scene_.meshes) add_mesh(mesh);
     for (const SceneNode& node : scene_.nodes) add_node(node);
     for (const Scene::View& view : scene_.views) {
-      gltf::Scene& target = model_.scenes.emplace_back();
-      target.name = view.name;
-      target.nodes = view.nodes;
+      const std::string nodes = view.nodes.empty() ? "" : fmt::format(",\"nodes\":{}", json_list(view.nodes));
+      scenes_.add(R"({{"name":"{}"{}}})", view.name, nodes);
     }
-    model_.defaultScene = 0;
-    add_buffer();
-    name_extensions();
-    return std::move(model_);
+    for (const View& view : views_) describe(view);
+    for (const std::string& image : images_) {
+      image_list_.add(R"({{"bufferView":{},"mimeType":"image/jpeg"}})", buffer_views_.count());
+      buffer_views_.add(R"({{"buffer":0,"byteOffset":{},"byteLength":{}}})", buffer_size_, image.size());
+      buffer_size_ += rounded_up(image.size());
+    }
+  }
+
+  std::size_t buffer_size() const { return buffer_size_; }
+
+  // The JSON; `uri` is a member of the buffer, or empty.
+  std::string text(const std::string& uri) const {
+    List members;
+    members.add(R"("asset":{{"version":"2.0","generator":"Tessera"{}}})",
+                scene_.job_json.empty() ? "" : fmt::format(R"(,"extras":{{"job":{}}})", scene_.job_json));
+    add_extensions(members);
+    if (scenes_.count() > 0) members.add("\"scene\":0");
+    const std::pair<const char*, const List*> lists[] = {
+        {"scenes", &scenes_},       {"nodes", &nodes_},         {"meshes", &meshes_},
+        {"materials", &materials_}, {"textures", &textures_},   {"images", &image_list_},
+        {"samplers", &samplers_},   {"accessors", &accessors_}, {"bufferViews", &buffer_views_}};
+    for (const auto& [key, list] : lists)
+      if (list->count() > 0) members.add("\"{}\":[{}]", key, list->text());
+    if (buffer_size_ > 0) members.add(R"("buffers":[{{"byteLength":{}{}}}])", buffer_size_, uri);
+    return "{" + members.text() + "}";
+  }
+
+  void append_buffer(std::string& bytes) const {
+    const std::size_t start = bytes.size();
+    const auto fill_up = [&] { bytes.resize(start + rounded_up(bytes.size() - start), '\0'); };
+    for (const View& view : views_) {
+      for (const auto& part : view.parts) part(bytes);
+      fill_up();
+    }
+    for (const std::string& image : images_) {
+      bytes += image;
+      fill_up();
+    }
   }
 
  private:
   // ---- Accessors
 
-  // Values of N components each, appended to their pool: the index of a new accessor.
-  template <class T, std::size_t N>
-  int add_accessor(Attribute attribute, int component_type, bool normalized,
-                   const std::vector<std::array<T, N>>& values) {
-    const std::size_t p =
-        pool_of(attribute, component_type, is_vertex(attribute) ? rounded_up(N * sizeof(T)) : N * sizeof(T));
-    Pool& pool = pools_[p];
-    gltf::Accessor& accessor = model_.accessors.emplace_back();
-    accessor.bufferView = static_cast<int>(p);
-    accessor.byteOffset = pool.bytes.size();
-    accessor.componentType = component_type;
-    accessor.normalized = normalized;
-    accessor.count = values.size();
-    accessor.type = kTypes[attribute];
-    if (attribute == kPosition) add_bounds(values, accessor);
-    pool.bytes.resize(pool.bytes.size() + pool.stride * values.size());
-    unsigned char* target = pool.bytes.data() + accessor.byteOffset;
-    for (const auto& value : values) {
-      std::memcpy(target, value.data(), sizeof(value));
-      target += pool.stride;
-    }
-    return static_cast<int>(model_.accessors.size()) - 1;
+  // `count` values that `part` appends to their view: the index of a new accessor. `more` are members of it.
+  int add_accessor(Attribute attribute, int component_type, const char* type, std::size_t stride, std::size_t count,
+                   const std::string& more, std::function<void(std::string&)> part) {
+    const auto same = [&](const View& v) { return v.attribute == attribute && v.component_type == component_type; };
+    auto view = std::find_if(views_.begin(), views_.end(), same);
+    if (view == views_.end()) view = views_.insert(view, View{attribute, component_type, stride});
+    const std::size_t offset = view->size;
+    view->size += stride * count;
+    view->parts.push_back(std::move(part));
+    return accessors_.add(R"({{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"{}"{}}})",
+                          view - views_.begin(), offset, component_type, count, type, more);
   }
 
-  template <class T, std::size_t N>
-  static void add_bounds(const std::vector<std::array<T, N>>& values, gltf::Accessor& accessor) {
-    for (std::size_t c = 0; c < N; ++c) {
-      const auto [least, most] = std::minmax_element(values.begin(), values.end(),
-                                                     [&](const auto& a, const auto& b) { return a[c] < b[c]; });
-      accessor.minValues.push_back((*least)[c]);
-      accessor.maxValues.push_back((*most)[c]);
-    }
-  }
-
-  std::size_t pool_of(Attribute attribute, int component_type, std::size_t stride) {
-    const auto found = std::find_if(pools_.begin(), pools_.end(), [&](const Pool& pool) {
-      return pool.attribute == attribute && pool.component_type == component_type;
-    });
-    if (found != pools_.end()) return static_cast<std::size_t>(found - pools_.begin());
-    pools_.push_back({attribute, component_type, stride, {}});
-    return pools_.size() - 1;
-  }
-
-  // Components times `scale` as T, rounded where T is whole.
+  // Vectors times `scale` as numbers of type T. They are the scene's and stay where they are.
   template <class T, class Vector>
-  static auto converted(const std::vector<Vector>& values, double scale) {
+  int add_vectors(Attribute attribute, int component_type, const std::vector<Vector>& values, double scale,
+                  const std::string& more = {}) {
+    constexpr const char* kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     constexpr auto size = static_cast<std::size_t>(Vector::length());
-    std::vector<std::array<T, size>> result(values.size());
-    for (std::size_t v = 0; v < values.size(); ++v)
-      for (std::size_t c = 0; c < size; ++c) {
-        const double component = values[v][static_cast<int>(c)] * scale;
-        result[v][c] = static_cast<T>(std::is_integral_v<T> ? std::round(component) : component);
-      }
-    return result;
+    return add_accessor(attribute, component_type, kTypes[size], rounded_up(size * sizeof(T)), values.size(),
+                        (std::is_integral_v<T> ? ",\"normalized\":true" : "") + more,
+                        [&values, scale](std::string& bytes) { append_vectors<T>(bytes, values, scale); });
   }
 
   template <class Vector>
-  int add_floats(Attribute attribute, const std::vector<Vector>& values) {
-    return add_accessor(attribute, TINYGLTF_COMPONENT_TYPE_FLOAT, false, converted<float>(values, 1));
+  int add_floats(Attribute attribute, const std::vector<Vector>& values, const std::string& more = {}) {
+    return add_vectors<float>(attribute, kFloat, values, 1, more);
   }
 
   // ---- Meshes
 
   void add_mesh(const Mesh& mesh) {
-    gltf::Primitive primitive;
     const bool quantize = scene_.quantize && may_be_quantized(mesh);
     mesh_scales_.push_back(quantize ? reach(mesh) : 1);
-    const auto add = [&](Attribute attribute, int accessor) { primitive.attributes[kNames[attribute]] = accessor; };
+    List attributes;
+    attributes.add("\"POSITION\":{}", add_positions(mesh.positions, quantize, kTop16 / mesh_scales_.back()));
+    if (!mesh.normals.empty()) attributes.add("\"NORMAL\":{}", add_directions(Attribute::kNormal, mesh.normals));
+    if (!mesh.tangents.empty()) attributes.add("\"TANGENT\":{}", add_directions(Attribute::kTangent, mesh.tangents));
+    if (!mesh.texture_coordinates.empty())
+      attributes.add("\"TEXCOORD_0\":{}", add_texture_coordinates(mesh.texture_coordinates));
+    const std::string material = mesh.surface < 0 ? "" : fmt::format(",\"material\":{}", mesh.surface);
+    const std::string name = mesh.name.empty() ? "" : fmt::format("\"name\":\"{}\",", mesh.name);
+    meshes_.add(R"({{{}"primitives":[{{"attributes":{{{}}},"indices":{}{}}}]}})", name, attributes.text(),
+                add_indices(mesh), material);
+  }
 
-    add(kPosition, quantize ? add_accessor(kPosition, TINYGLTF_COMPONENT_TYPE_SHORT, true,
-                                           converted<std::int16_t>(mesh.positions, kTop16 / mesh_scales_.back()))
-                            : add_floats(kPosition, mesh.positions));
-    if (!mesh.normals.empty()) add(kNormal, add_directions(kNormal, mesh.normals));
-    if (!mesh.tangents.empty()) add(kTangent, add_directions(kTangent, mesh.tangents));
-    if (!mesh.texture_coordinates.empty()) add(kTextureCoordinate, add_texture_coordinates(mesh.texture_coordinates));
-    primitive.indices = add_indices(mesh);
-    primitive.material = mesh.surface;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-
-    gltf::Mesh& target = model_.meshes.emplace_back();
-    target.name = mesh.name;
-    target.primitives.push_back(std::move(primitive));
+  int add_positions(const std::vector<glm::vec3>& positions, bool quantize, double scale) {
+    glm::vec3 least = positions.front(), most = least;
+    for (const glm::vec3& p : positions)
+      for (int c = 0; c < 3; ++c) {
+        least[c] = std::min(least[c], p[c]);
+        most[c] = std::max(most[c], p[c]);
+      }
+    if (!quantize)
+      return add_floats(Attribute::kPosition, positions,
+                        fmt::format(",\"min\":{},\"max\":{}", json_list(std::array{least.x, least.y, least.z}),
+                                    json_list(std::array{most.x, most.y, most.z})));
+    const auto whole = [&](float v) { return static_cast<int>(std::round(v * scale)); };
+    return add_vectors<std::int16_t>(
+        Attribute::kPosition, kShort, positions, scale,
+        fmt::format(",\"min\":{},\"max\":{}", json_list(std::array{whole(least.x), whole(least.y), whole(least.z)}),
+                    json_list(std::array{whole(most.x), whole(most.y), whole(most.z)})));
   }
 
   template <class Vector>
   int add_directions(Attribute attribute, const std::vector<Vector>& values) {
-    if (!scene_.quantize) return add_floats(attribute, values);
-    return add_accessor(attribute, TINYGLTF_COMPONENT_TYPE_BYTE, true, converted<std::int8_t>(values, kTop8));
+    return scene_.quantize ? add_vectors<std::int8_t>(attribute, kByte, values, kTop8)
+                           : add_floats(attribute, values);
   }
 
   int add_texture_coordinates(const std::vector<glm::vec2>& values) {
     const auto on_texture = [](glm::vec2 v) { return v.x >= 0 && v.x <= 1 && v.y >= 0 && v.y <= 1; };
     if (!scene_.quantize || !std::all_of(values.begin(), values.end(), on_texture))
-      return add_floats(kTextureCoordinate, values);
-    return add_accessor(kTextureCoordinate, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, true,
-                        converted<std::uint16_t>(values, kTopUnsigned16));
+      return add_floats(Attribute::kTextureCoordinate, values);
+    return add_vectors<std::uint16_t>(Attribute::kTextureCoordinate, kUnsignedShort, values, kTopUnsigned16);
   }
 
+  // A list that meshes share is written once.
   int add_indices(const Mesh& mesh) {
-    const bool is_short = mesh.positions.size() <= kMostShortIndices;
-    const auto [known, is_new] = indices_.try_emplace({is_short, mesh.indices}, 0);
+    const std::vector<std::uint32_t>* list = mesh.indices.get();
+    const auto [known, is_new] = indices_.try_emplace({list, mesh.positions.size() <= kMostShortIndices}, 0);
     if (!is_new) return known->second;
-    if (is_short) {
-      std::vector<std::array<std::uint16_t, 1>> values;
-      for (const std::uint32_t index : mesh.indices) values.push_back({static_cast<std::uint16_t>(index)});
-      return known->second = add_accessor(kIndex, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, false, values);
-    }
-    std::vector<std::array<std::uint32_t, 1>> values;
-    for (const std::uint32_t index : mesh.indices) values.push_back({index});
-    return known->second = add_accessor(kIndex, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, false, values);
+    if (!known->first.second)
+      return known->second = add_accessor(Attribute::kIndex, kUnsignedInt, "SCALAR", 4, list->size(), {},
+                                          [list](std::string& bytes) { append(bytes, list->data(), list->size()); });
+    return known->second = add_accessor(Attribute::kIndex, kUnsignedShort, "SCALAR", 2, list->size(), {},
+                                        [list](std::string& bytes) {
+                                          for (const std::uint32_t index : *list) {
+                                            const auto value = static_cast<std::uint16_t>(index);
+                                            append(bytes, &value, 1);
+                                          }
+                                        });
   }
 
   // The largest coordinate of a mesh.
@@ -190,12 +270,12 @@ class Writer {
 
   // Not where its shortest edge would be a few steps only, as in many small things made one mesh.
   static bool may_be_quantized(const Mesh& mesh) {
-    const double step = reach(mesh) / kTop16;
-    const float least = static_cast<float>(kStepsAnEdge * step * kStepsAnEdge * step);
-    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
+    const double step = reach(mesh) / kTop16, least = kStepsAnEdge * step * kStepsAnEdge * step;
+    const std::vector<std::uint32_t>& indices = *mesh.indices;
+    for (std::size_t t = 0; t + 2 < indices.size(); t += 3)
       for (std::size_t k = 0; k < 3; ++k) {
-        const glm::vec3 side = mesh.positions[mesh.indices[t + (k + 1) % 3]] - mesh.positions[mesh.indices[t + k]];
-        if (const float length = glm::dot(side, side); length > 0 && length < least) return false;
+        const glm::vec3 side = mesh.positions[indices[t + (k + 1) % 3]] - mesh.positions[indices[t + k]];
+        if (const double squared = glm::dot(side, side); squared > 0 && squared < least) return false;
       }
     return true;
   }
@@ -203,172 +283,158 @@ class Writer {
   // ---- Nodes
 
   void add_node(const SceneNode& node) {
-    gltf::Node& target = model_.nodes.emplace_back();
     const double mesh_scale = mesh_scales_[static_cast<std::size_t>(node.mesh)];
     const double scale = node.instances.empty() ? node.scale * mesh_scale : node.scale;
-    const glm::dvec3& at = node.translation;
-    const glm::dquat& turn = node.rotation;
-    target.name = node.name;
-    target.mesh = node.mesh;
-    if (at != glm::dvec3(0)) target.translation = {at.x, at.y, at.z};
-    if (turn != glm::dquat(1, 0, 0, 0)) target.rotation = {turn.x, turn.y, turn.z, turn.w};
-    if (scale != 1) target.scale = {scale, scale, scale};
-    if (!node.extras.empty()) target.extras = extras_of(node);
-    if (!node.instances.empty()) target.extensions["EXT_mesh_gpu_instancing"] = instances_of(node, mesh_scale);
-    if (node.hull) target.extensions["OMI_collider"] = collider_of(node);
+    List members;
+    members.add("\"name\":\"{}\"", node.name);
+    members.add("\"mesh\":{}", node.mesh);
+    if (node.translation != glm::dvec3(0)) members.add("\"translation\":{}", json_list(node.translation));
+    if (node.rotation != glm::dquat(1, 0, 0, 0)) members.add("\"rotation\":{}", json_list(node.rotation));
+    if (scale != 1) members.add("\"scale\":{}", json_list(glm::dvec3(scale)));
+    if (!node.extras.empty()) members.add("\"extras\":{{{}}}", extras_of(node));
+    if (!node.instances.empty()) members.add("\"extensions\":{{{}}}", instances_of(node, mesh_scale));
+    if (node.hull) {
+      const int collider = colliders_.add(R"({{"type":"hull","mesh":{}}})", node.mesh);
+      members.add(R"("extensions":{{"OMI_collider":{{"collider":{}}}}})", collider);
+    }
+    nodes_.add("{{{}}}", members.text());
   }
 
-  static gltf::Value extras_of(const SceneNode& node) {
-    gltf::Value::Object object;
+  static std::string extras_of(const SceneNode& node) {
+    List members;
     for (const auto& [key, extra] : node.extras) {
-      if (const double* number = std::get_if<double>(&extra)) {
-        object[key] = gltf::Value(*number);
-        continue;
-      }
-      gltf::Value::Array list;
-      for (const double v : std::get<std::vector<double>>(extra)) list.emplace_back(v);
-      object[key] = gltf::Value(std::move(list));
+      const double* number = std::get_if<double>(&extra);
+      members.add("\"{}\":{}", key,
+                  number ? fmt::format("{}", *number) : json_list(std::get<std::vector<double>>(extra)));
     }
-    return gltf::Value(std::move(object));
+    return members.text();
   }
 
-  gltf::Value instances_of(const SceneNode& node, double mesh_scale) {
-    std::vector<glm::dvec3> translations, scales;
-    std::vector<glm::dvec4> rotations;
-    for (const SceneNode::Instance& instance : node.instances) {
-      const glm::dquat& turn = instance.rotation;
-      translations.push_back(instance.translation);
-      rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
-      scales.emplace_back(instance.scale * mesh_scale);
-    }
-    gltf::Value::Object attributes;
-    attributes[kNames[kTranslation]] = gltf::Value(add_floats(kTranslation, translations));
-    attributes[kNames[kRotation]] = gltf::Value(add_floats(kRotation, rotations));
-    attributes[kNames[kScale]] = gltf::Value(add_floats(kScale, scales));
-    return gltf::Value(gltf::Value::Object{{"attributes", gltf::Value(std::move(attributes))}});
-  }
-
-  gltf::Value collider_of(const SceneNode& node) {
-    colliders_.emplace_back(
-        gltf::Value::Object{{"type", gltf::Value(std::string("hull"))}, {"mesh", gltf::Value(node.mesh)}});
-    return gltf::Value(gltf::Value::Object{{"collider", gltf::Value(static_cast<int>(colliders_.size()) - 1)}});
+  std::string instances_of(const SceneNode& node, double mesh_scale) {
+    const auto add = [&](Attribute attribute, const char* type, int size, auto&& value_of) {
+      const std::vector<SceneNode::Instance>& all = node.instances;
+      return add_accessor(attribute, kFloat, type, 4 * static_cast<std::size_t>(size), all.size(), {},
+                          [&all, value_of](std::string& bytes) {
+                            for (const SceneNode::Instance& instance : all) {
+                              const auto value = value_of(instance);
+                              append(bytes, value.data(), value.size());
+                            }
+                          });
+    };
+    const auto f = [](double v) { return static_cast<float>(v); };
+    const int translations = add(Attribute::kTranslation, "VEC3", 3, [f](const SceneNode::Instance& i) {
+      return std::array{f(i.translation.x), f(i.translation.y), f(i.translation.z)};
+    });
+    const int rotations = add(Attribute::kRotation, "VEC4", 4, [f](const SceneNode::Instance& i) {
+      return std::array{f(i.rotation.x), f(i.rotation.y), f(i.rotation.z), f(i.rotation.w)};
+    });
+    const int scales = add(Attribute::kScale, "VEC3", 3, [f, mesh_scale](const SceneNode::Instance& i) {
+      const float scale = f(i.scale * mesh_scale);
+      return std::array{scale, scale, scale};
+    });
+    has_instances_ = true;
+    return fmt::format(R"("EXT_mesh_gpu_instancing":{{"attributes":{{"TRANSLATION":{},"ROTATION":{},"SCALE":{}}}}})",
+                       translations, rotations, scales);
   }
 
   // ---- Surfaces
 
   void add_surface(const Surface& surface) {
-    gltf::Material& material = model_.materials.emplace_back();
-    material.name = surface.name;
-    material.pbrMetallicRoughness.metallicFactor = surface.metallic;
-    material.pbrMetallicRoughness.roughnessFactor = surface.roughness;
-    material.pbrMetallicRoughness.baseColorTexture.index = texture_of(surface.colour);
-    material.normalTexture.index = texture_of(surface.normals);
-    if (!surface.visible) {  // every pixel fails the test of its opacity
-      material.alphaMode = "MASK";
-      material.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, 0};
-    }
+    List look;
+    if (!surface.visible) look.add("\"baseColorFactor\":[1,1,1,0]");
+    if (surface.colour >= 0) look.add(R"("baseColorTexture":{{"index":{}}})", texture_of(surface.colour));
+    look.add("\"metallicFactor\":{}", surface.metallic);
+    look.add("\"roughnessFactor\":{}", surface.roughness);
+    List members;
+    members.add("\"name\":\"{}\"", surface.name);
+    members.add("\"pbrMetallicRoughness\":{{{}}}", look.text());
+    if (surface.normals >= 0) members.add(R"("normalTexture":{{"index":{}}})", texture_of(surface.normals));
+    if (!surface.visible) members.add("\"alphaMode\":\"MASK\"");  // every pixel fails the test of its opacity
+    materials_.add("{{{}}}", members.text());
   }
 
   // Textures in the order in which they are first used.
   int texture_of(int index) {
-    if (index < 0) return -1;
-    const auto [known, is_new] = textures_.try_emplace(index, static_cast<int>(model_.textures.size()));
+    const auto [known, is_new] = known_textures_.try_emplace(index, textures_.count());
     if (!is_new) return known->second;
     const Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
-    gltf::Texture& target = model_.textures.emplace_back();
-    target.source = static_cast<int>(images_.size());
-    target.sampler = sampler_of(texture);
+    textures_.add(R"({{"sampler":{},"source":{}}})", sampler_of(texture), images_.size());
     images_.push_back(write_jpeg(texture, kJpegQuality));
     return known->second;
   }
 
   int sampler_of(const Texture& texture) {
-    gltf::Sampler sampler;
-    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-    sampler.wrapS = sampler.wrapT =
-        texture.mirrored ? TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT : TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-    auto& all = model_.samplers;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const gltf::Sampler& s) { return s.wrapS == sampler.wrapS; });
-    if (found != all.end()) return static_cast<int>(found - all.begin());
-    all.push_back(sampler);
-    return static_cast<int>(all.size()) - 1;
+    const int wrap = texture.mirrored ? kMirroredRepeat : kClampToEdge;
+    const auto [known, is_new] = known_samplers_.try_emplace(wrap, samplers_.count());
+    if (is_new)
+      samplers_.add(R"({{"magFilter":{},"minFilter":{},"wrapS":{},"wrapT":{}}})", kLinear, kLinearMipmapLinear, wrap,
+                    wrap);
+    return known->second;
   }
 
-  // ---- The end
+  // ---- The rest
 
-  template <class Bytes>
-  gltf::BufferView& append(const Bytes& bytes) {
-    std::vector<unsigned char>& data = model_.buffers[0].data;
-    gltf::BufferView& view = model_.bufferViews.emplace_back();
-    view.buffer = 0;
-    view.byteOffset = data.size();
-    view.byteLength = bytes.size();
-    data.insert(data.end(), bytes.begin(), bytes.end());
-    data.resize(rounded_up(data.size()));
-    return view;
+  void describe(const View& view) {
+    std::string more;
+    if (is_vertex(view.attribute)) more = fmt::format(",\"byteStride\":{},\"target\":{}", view.stride, kVertices);
+    if (view.attribute == Attribute::kIndex) more = fmt::format(",\"target\":{}", kTriangles);
+    buffer_views_.add(R"({{"buffer":0,"byteOffset":{},"byteLength":{}{}}})", buffer_size_, view.size, more);
+    buffer_size_ += rounded_up(view.size);
   }
 
-  void add_buffer() {
-    if (pools_.empty() && images_.empty()) return;
-    std::size_t size = 0;
-    for (const Pool& pool : pools_) size += rounded_up(pool.bytes.size());
-    for (const std::string& image : images_) size += rounded_up(image.size());
-    model_.buffers.emplace_back().data.reserve(size);
-    for (Pool& pool : pools_) {
-      gltf::BufferView& view = append(pool.bytes);
-      view.target = is_vertex(pool.attribute)  ? TINYGLTF_TARGET_ARRAY_BUFFER
-                    : pool.attribute == kIndex ? TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER
-                                               : 0;
-      if (is_vertex(pool.attribute)) view.byteStride = pool.stride;
-      std::vector<unsigned char>().swap(pool.bytes);
-    }
-    for (const std::string& bytes : images_) {
-      append(bytes);
-      gltf::Image& image = model_.images.emplace_back();
-      image.mimeType = "image/jpeg";
-      image.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
-    }
-  }
-
-  void name_extensions() {
-    const auto any_node = [&](const auto& test) {
-      return std::any_of(scene_.nodes.begin(), scene_.nodes.end(), test);
-    };
-    if (any_node([](const SceneNode& node) { return !node.instances.empty(); }))
-      model_.extensionsUsed.emplace_back("EXT_mesh_gpu_instancing");
-    if (scene_.quantize && !scene_.meshes.empty()) {
-      model_.extensionsUsed.emplace_back("KHR_mesh_quantization");
-      model_.extensionsRequired.emplace_back("KHR_mesh_quantization");
-    }
-    if (!colliders_.empty()) {
-      model_.extensionsUsed.emplace_back("OMI_collider");
-      model_.extensions["OMI_collider"] =
-          gltf::Value(gltf::Value::Object{{"colliders", gltf::Value(std::move(colliders_))}});
-    }
+  void add_extensions(List& members) const {
+    List used;
+    if (has_instances_) used.add("\"EXT_mesh_gpu_instancing\"");
+    if (scene_.quantize && meshes_.count() > 0) used.add("\"KHR_mesh_quantization\"");
+    if (colliders_.count() > 0) used.add("\"OMI_collider\"");
+    if (used.count() == 0) return;
+    members.add("\"extensionsUsed\":[{}]", used.text());
+    if (scene_.quantize && meshes_.count() > 0) members.add("\"extensionsRequired\":[\"KHR_mesh_quantization\"]");
+    if (colliders_.count() > 0)
+      members.add(R"("extensions":{{"OMI_collider":{{"colliders":[{}]}}}})", colliders_.text());
   }
 
   const Scene& scene_;
-  gltf::Model model_;
-  std::vector<Pool> pools_;
-  std::map<std::pair<bool, std::vector<std::uint32_t>>, int> indices_;  // accessors of lists that are known
-  std::map<int, int> textures_;                                         // ours -> the file's
+  std::vector<View> views_;
+  std::map<std::pair<const std::vector<std::uint32_t>*, bool>, int> indices_;  // accessors; looked up, never walked
+  std::map<int, int> known_textures_, known_samplers_;                         // ours -> the file's
   std::vector<std::string> images_;
   std::vector<double> mesh_scales_;  // metres to a unit of each mesh's positions
-  gltf::Value::Array colliders_;
+  bool has_instances_ = false;
+  std::size_t buffer_size_ = 0;
+  List scenes_, nodes_, meshes_, materials_, textures_, image_list_, samplers_, accessors_, buffer_views_, colliders_;
 };
 
-std::string write(const Scene& scene, bool binary) {
-  const gltf::Model model = Writer(scene).model();
-  std::ostringstream stream;
-  gltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, binary);
-  return std::move(stream).str();
+void append_word(std::string& bytes, std::size_t word) {
+  const auto value = static_cast<std::uint32_t>(word);
+  append(bytes, &value, 1);
 }
 
 }  // namespace
 
-std::string write_glb(const Scene& scene) { return write(scene, true); }
-std::string write_gltf(const Scene& scene) { return write(scene, false); }
+std::string write_glb(const Scene& scene) {
+  const Document document(scene);
+  std::string json = document.text("");
+  json.resize(rounded_up(json.size()), ' ');
+  const std::size_t binary = document.buffer_size() == 0 ? 0 : 8 + document.buffer_size();
+  std::string bytes;
+  bytes.reserve(20 + json.size() + binary);
+  for (const std::size_t word : {std::size_t{kGlb}, std::size_t{2}, 20 + json.size() + binary})
+    append_word(bytes, word);
+  for (const std::size_t word : {json.size(), std::size_t{kJsonChunk}}) append_word(bytes, word);
+  bytes += json;
+  if (binary == 0) return bytes;
+  for (const std::size_t word : {document.buffer_size(), std::size_t{kBinaryChunk}}) append_word(bytes, word);
+  document.append_buffer(bytes);
+  return bytes;
+}
+
+std::string write_gltf(const Scene& scene) {
+  const Document document(scene);
+  std::string buffer;
+  buffer.reserve(document.buffer_size());
+  document.append_buffer(buffer);
+  return document.text(fmt::format(R"(,"uri":"data:application/octet-stream;base64,{}")", base64(buffer))) + "\n";
+}
 
 }  // namespace tessera

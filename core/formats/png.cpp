@@ -32,6 +32,11 @@ class Picture {
     for (std::size_t y = 1; y < height_; ++y) std::copy_n(scanline(0), stride(), &scanlines_[y * stride()]);
   }
 
+  explicit Picture(const Raster& frame) : Picture(frame.width, frame.height, {}) {
+    for (std::size_t y = 0; y < height_; ++y)
+      std::copy_n(&frame.bytes[3 * y * width_], 3 * width_, &scanlines_[y * stride() + 1]);
+  }
+
   // Lays `colour` over that share of the pixel, 0..1.
   void paint(int x, int y, Rgb colour, float share) {
     const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
@@ -73,9 +78,7 @@ class Picture {
   std::vector<std::uint8_t> scanlines_;
 };
 
-Picture draw(const PieceSheet& sheet, double scale) {
-  const auto pixels = [scale](double length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
-  const int width = pixels(sheet.width), height = pixels(sheet.height);
+Picture draw(const PieceSheet& sheet, double scale, int width, int height) {
   Picture picture(width, height, sheet.grout);
   Coverage coverage(width, height);
   for (const Piece& piece : sheet.pieces) {
@@ -85,12 +88,21 @@ Picture draw(const PieceSheet& sheet, double scale) {
   return picture;
 }
 
-// ---- The file (PNG specification, chapters 5 and 11)
+Picture draw(const PieceSheet& sheet, double scale) {
+  const auto pixels = [scale](double length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
+  return draw(sheet, scale, pixels(sheet.width), pixels(sheet.height));
+}
 
-constexpr const char* kSignature = "\x89PNG\r\n\x1a\n";
+// ---- The file (PNG specification, chapters 5 and 11; third edition for animation)
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 void append_u32(std::string& out, std::uint64_t value) {
   for (const int shift : {24, 16, 8, 0}) out += static_cast<char>(value >> shift & 255);
+}
+
+void append_u16(std::string& out, unsigned value) {
+  for (const unsigned shift : {8U, 0U}) out += static_cast<char>(value >> shift & 255);
 }
 
 void append_chunk(std::string& out, std::string_view type, std::string_view data) {
@@ -111,6 +123,10 @@ void append_header(std::string& out, std::size_t width, std::size_t height, int 
   append_chunk(out, "IHDR", data);
 }
 
+void append_header(std::string& out, const Picture& picture) {
+  append_header(out, picture.width(), picture.height(), 8, 3);
+}
+
 void append_resolution(std::string& out, double pixels_per_metre) {
   std::string data;
   const auto resolution = static_cast<std::uint64_t>(std::clamp(pixels_per_metre + 0.5, 1.0, 2e9));
@@ -120,10 +136,10 @@ void append_resolution(std::string& out, double pixels_per_metre) {
   append_chunk(out, "pHYs", data);
 }
 
-// `scanline(y)` points to `stride` bytes: the filter's number, then the pixels. A chunk each time that the compressor
-// has filled one.
-template <class Scanline>
-void append_pixels(std::string& out, std::size_t height, std::size_t stride, const Scanline& scanline) {
+// Lines of `stride` bytes, the filter's number and the pixels, compressed in parts: part(bytes) each time that the
+// compressor has filled one.
+template <class Scanline, class Part>
+void compress(std::size_t height, std::size_t stride, const Scanline& scanline, const Part& part) {
   constexpr int kLevel = 1;  // a quarter of the time of 6 for an eighth more bytes
   z_stream stream{};
   [[maybe_unused]] int status = deflateInit(&stream, kLevel);
@@ -133,7 +149,7 @@ void append_pixels(std::string& out, std::size_t height, std::size_t stride, con
     stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
     stream.avail_out = static_cast<uInt>(chunk.size());
   };
-  const auto end_chunk = [&] { append_chunk(out, "IDAT", {chunk.data(), chunk.size() - stream.avail_out}); };
+  const auto end_chunk = [&] { part(std::string_view{chunk.data(), chunk.size() - stream.avail_out}); };
   start_chunk();
   for (std::size_t y = 0; y < height; ++y) {
     stream.next_in = const_cast<Bytef*>(scanline(y));
@@ -149,14 +165,55 @@ void append_pixels(std::string& out, std::size_t height, std::size_t stride, con
   deflateEnd(&stream);
 }
 
+template <class Part>
+void compress(const Picture& picture, const Part& part) {
+  compress(
+      picture.height(), picture.stride(), [&](std::size_t y) { return picture.scanline(y); }, part);
+}
+
+void append_pixels(std::string& out, const Picture& picture) {
+  compress(picture, [&](std::string_view part) { append_chunk(out, "IDAT", part); });
+}
+
+void append_animation(std::string& out, std::size_t frames) {
+  std::string data;
+  append_u32(data, frames);
+  append_u32(data, 0);  // endlessly
+  append_chunk(out, "acTL", data);
+}
+
+// Says of the next frame that it covers the whole picture and stays for so long. All chunks of an animation are
+// numbered by `sequence`.
+void append_frame_control(std::string& out, const Picture& picture, unsigned hundredths, std::uint32_t& sequence) {
+  std::string data;
+  append_u32(data, sequence++);
+  append_u32(data, picture.width());
+  append_u32(data, picture.height());
+  append_u32(data, 0);
+  append_u32(data, 0);
+  append_u16(data, hundredths);
+  append_u16(data, 100);
+  data += std::string_view("\0\0", 2);  // left as it is, and replaced by the next
+  append_chunk(out, "fcTL", data);
+}
+
+void append_frame(std::string& out, const Picture& picture, std::uint32_t& sequence) {
+  compress(picture, [&](std::string_view part) {
+    std::string data;
+    append_u32(data, sequence++);
+    data += part;
+    append_chunk(out, "fdAT", data);
+  });
+}
+
 }  // namespace
 
 std::string write_png(const PieceSheet& sheet, double scale) {
   const Picture picture = draw(sheet, scale);
-  std::string out = kSignature;
-  append_header(out, picture.width(), picture.height(), 8, 3);
+  std::string out(kSignature);
+  append_header(out, picture);
   if (sheet.width_mm > 0) append_resolution(out, 1000 * scale * sheet.width / sheet.width_mm);
-  append_pixels(out, picture.height(), picture.stride(), [&](std::size_t y) { return picture.scanline(y); });
+  append_pixels(out, picture);
   append_chunk(out, "IEND", {});
   return out;
 }
@@ -166,16 +223,36 @@ std::string write_png(const Raster& raster) {
   const auto height = static_cast<std::size_t>(raster.height);
   const std::size_t row = raster.bytes.size() / height;
   std::vector<std::uint8_t> line(1 + row);
-  std::string out = kSignature;
-  append_header(out, static_cast<std::size_t>(raster.width), height, raster.bits, raster.channels);
-  append_pixels(out, height, line.size(), [&](std::size_t y) {
+  const auto scanline = [&](std::size_t y) {
     line[0] = kUp;
     for (std::size_t i = 0; i < row; ++i) {
       const int above = y > 0 ? raster.bytes[(y - 1) * row + i] : 0;
       line[1 + i] = static_cast<std::uint8_t>(raster.bytes[y * row + i] - above);
     }
     return line.data();
-  });
+  };
+  std::string out(kSignature);
+  append_header(out, static_cast<std::size_t>(raster.width), height, raster.bits, raster.channels);
+  compress(height, line.size(), scanline, [&](std::string_view part) { append_chunk(out, "IDAT", part); });
+  append_chunk(out, "IEND", {});
+  return out;
+}
+
+std::string write_apng(const PieceSheet& sheet, const std::vector<Raster>& frames, double scale) {
+  constexpr unsigned kSheetHundredths = 200, kFrameHundredths = 10;
+  const Picture picture = frames.empty()
+                              ? draw(sheet, scale)
+                              : draw(sheet, frames[0].width / sheet.width, frames[0].width, frames[0].height);
+  std::uint32_t sequence = 0;
+  std::string out(kSignature);
+  append_header(out, picture);
+  append_animation(out, frames.size() + 1);
+  append_frame_control(out, picture, kSheetHundredths, sequence);
+  append_pixels(out, picture);
+  for (const Raster& frame : frames) {
+    append_frame_control(out, picture, kFrameHundredths, sequence);
+    append_frame(out, Picture(frame), sequence);
+  }
   append_chunk(out, "IEND", {});
   return out;
 }

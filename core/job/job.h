@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <variant>
@@ -57,12 +58,13 @@ struct Plot {
 
 // What a technique has made, before it is bytes, in terms that all of them share.
 struct Outcome {
-  PieceSheet sheet;                            // with the job in it
-  Scene scene{};                               // with the job in it; of techniques whose pieces are solid
-  std::map<std::string, Raster> rasters{};     // pictures besides the sheet's, by their format ("labels.png")
-  std::map<std::string, std::int64_t> counts;  // of the report
-  std::map<std::string, double> metrics;       // finite
+  PieceSheet sheet;  // with the job in it
+  Scene scene{};     // with the job in it; of techniques whose pieces are solid
+  std::map<std::string, std::function<Raster()>> rasters{};  // pictures besides the sheet's, by format ("labels.png")
+  std::map<std::string, std::int64_t> counts;                // of the report
+  std::map<std::string, double> metrics;                     // finite
   std::vector<Plot> plots;
+  std::vector<Raster> frames = {};  // of the iterations, where "apng" was asked for
 };
 
 struct JobResult {
@@ -71,15 +73,16 @@ struct JobResult {
   std::map<std::string, double> metrics;       // finite
 };
 
-// Runs the job on decoded pictures: compute_job(), then write_artifacts(). Reports all problems of parameters, inputs
-// and formats together. OpenCV's exceptions and failed allocations end here, as kInternal. Stages are the
-// technique's, then "format".
+// Runs the job on decoded pictures: compute_job(), then write_artifacts(); "apng" shows its iterations. Reports all
+// problems of parameters, inputs and formats together. OpenCV's exceptions and failed allocations end here, as
+// kInternal. Stages are the technique's, then "format".
 tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
                                           Rasterizer& rasterizer, const RunContext& context,
                                           const IterationObserver& observer = {});
 
 // The two halves of run_job(), for a program that wants files of a result later, one by one. Errors as there; the
-// second reports stage "format" and its own progress, 0..1.
+// second reports stage "format" and its own progress, 0..1. Iterations that nobody has recorded (Recorder) into the
+// outcome's frames are missing in "apng", which then is the result alone.
 tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
                                             const RunContext& context, const IterationObserver& observer = {});
 tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, const Outcome& outcome,

@@ -74,8 +74,10 @@ Result<Outcome> run_pebbles_job(const Job& job, const Pictures& pictures, Raster
     if (size > 0) outcome.metrics["d" + std::to_string(percent) + "_psi"] = std::log2(size);
   }
   outcome.plots.push_back({"sizes", sizes_plot(b_axes)});
-  outcome.rasters = {{"labels.png", labels_raster(output->labels)},
-                     {"overlay.png", pebbles::overlay(photo, output->pebbles)}};
+  outcome.rasters = {{"labels.png", [labels = output->labels] { return labels_raster(labels); }},
+                     {"overlay.png", [pixels = photo.mat().clone(), pebbles = std::move(output->pebbles)] {
+                        return pebbles::overlay(pixels, pebbles);
+                      }}};
   outcome.sheet = std::move(output->sheet);
   outcome.sheet.columns = grain_columns(output->grains, mm_per_px);
   outcome.scene = std::move(output->scene);

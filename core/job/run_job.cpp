@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "tessera/formats/formats.h"
 #include "tessera/job/job_json.h"
+#include "tessera/job/recorder.h"
 #include "tessera/job/techniques.h"
 
 namespace tessera {
@@ -31,9 +33,12 @@ const Format kFormats[] = {
     {"bom.csv", "text/csv", [](const Outcome& made, double) { return write_bill_csv(made.sheet); }},
     {"glb", "model/gltf-binary", [](const Outcome& made, double) { return write_glb(made.scene); }},
     {"gltf", "model/gltf+json", [](const Outcome& made, double) { return write_gltf(made.scene); }},
-    {"labels.png", "image/png", [](const Outcome& made, double) { return write_png(made.rasters.at("labels.png")); }},
+    {"labels.png", "image/png",
+     [](const Outcome& made, double) { return write_png(made.rasters.at("labels.png")()); }},
     {"overlay.png", "image/png",
-     [](const Outcome& made, double) { return write_png(made.rasters.at("overlay.png")); }},
+     [](const Outcome& made, double) { return write_png(made.rasters.at("overlay.png")()); }},
+    {"apng", "image/apng",
+     [](const Outcome& made, double scale) { return write_apng(made.sheet, made.frames, scale); }},
 };
 
 // `name` is among the technique's formats.
@@ -157,6 +162,27 @@ tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, co
   return guarded([&] { return write_valid_artifacts(outcome, request, context); });
 }
 
+namespace {
+
+// compute_job(), with its iterations where the request is for them.
+tl::expected<Outcome, Problems> compute_recorded(const Job& job, const Pictures& pictures, const JobRequest& request,
+                                                 Rasterizer& rasterizer, const RunContext& context,
+                                                 const IterationObserver& observer) {
+  if (std::find(request.formats.begin(), request.formats.end(), "apng") == request.formats.end())
+    return compute_job(job, pictures, rasterizer, context, observer);
+  const std::string_view main_role = technique_of(job.params).inputs.front().name;
+  Recorder recorder(pictures.at(std::string(main_role)));
+  const IterationObserver record = [&](const Iteration& iteration) {
+    recorder.record(iteration);
+    if (observer) observer(iteration);
+  };
+  auto outcome = compute_job(job, pictures, rasterizer, context, record);
+  if (outcome) outcome->frames = recorder.take();
+  return outcome;
+}
+
+}  // namespace
+
 tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
                                           Rasterizer& rasterizer, const RunContext& context,
                                           const IterationObserver& observer) {
@@ -165,7 +191,7 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
   check_request(technique_of(job.params), request, problems);
   check_pictures(technique_of(job.params), pictures, problems);
   if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
-  auto outcome = compute_job(job, pictures, rasterizer, part_of(context, 0, kTechniqueShare), observer);
+  auto outcome = compute_recorded(job, pictures, request, rasterizer, part_of(context, 0, kTechniqueShare), observer);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
   if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kNodesPerSide = 3;    // of the coarse grids, a tile's side
 constexpr double kSmallestSide = 2.5;  // px
+// Lines that are no edges for rows, but for tiles' corners: against params.edge_detail and params.edge_share.
+constexpr double kLineDetail = 0.7, kLineShare = 3;
+constexpr int kSmoothingRounds = 20;
+constexpr float kOverRelaxation = 1.7f;
 
 // [1 2 1] / 4 in both directions, `rounds` times: a Gaussian of sqrt(rounds / 2) nodes. Written out, since a
 // library's order of sums differs between machines.
@@ -49,13 +53,21 @@ cv::Mat1b drawn_edges(const ImageView& picture, cv::Size size) {
   return edges;
 }
 
-cv::Mat1b edges_of(const Pictures& pictures, const Params& params, double side) {
-  const cv::Size size(pictures.photo.width, pictures.photo.height);
-  if (pictures.edges.pixels) return drawn_edges(pictures.edges, size);
-  if (params.edge_share == 0) return cv::Mat1b::zeros(size);
-  return find_edges(pictures.photo.mat(), {.sigma = std::clamp(params.edge_detail * side, 0.6, 8.0),
-                                           .share = params.edge_share,
-                                           .shortest = std::max(6.0, 2.5 * side)});
+// Edges that rows follow, and with finer lines: the field stays calm, while tiles end where colours change.
+void find_edges_and_lines(const Pictures& pictures, const Params& params, double side, Fields& fields) {
+  const bool drawn = pictures.edges.pixels, found = !drawn && params.edge_share > 0;
+  const auto photo_edges = [&](double detail, double share, double shortest) {
+    return find_edges(pictures.photo.mat(), {.sigma = std::clamp(detail * params.edge_detail * side, 0.6, 8.0),
+                                             .share = std::min(0.5, share * params.edge_share),
+                                             .shortest = shortest});
+  };
+  if (drawn) fields.edges = drawn_edges(pictures.edges, fields.size);
+  if (found) fields.edges = photo_edges(1, 1, std::max(6.0, 2.5 * side));
+  if (!drawn && !found) fields.edges = cv::Mat1b::zeros(fields.size);
+  fields.distance = edge_distance(fields.edges);
+  fields.to_line = fields.distance;
+  if (found)
+    fields.to_line = edge_distance(photo_edges(kLineDetail, kLineShare, std::max(3.0, 1.5 * side)) | fields.edges);
 }
 
 // (x + i y)^4 of a unit vector: cosine and sine of four times its angle.
@@ -78,6 +90,26 @@ DirectionField given_direction(const ImageView& picture, cv::Size size, double s
   return field;
 }
 
+// Nodes between what `target` says by `weight` and what lies around, which counts `give`: over-relaxed, since
+// directions have far to travel where edges are few. `target` comes multiplied by `weight`.
+void even_out(cv::Mat2f& nodes, const cv::Mat2f& target, const cv::Mat1f& weight, float give) {
+  cv::Mat1f own(nodes.size()), around(nodes.size());
+  for (int j = 0; j < nodes.rows; ++j)
+    for (int i = 0; i < nodes.cols; ++i) {
+      own(j, i) = kOverRelaxation / (weight(j, i) + give);
+      around(j, i) = 0.25f * give * own(j, i);
+    }
+  for (int round = 0; round < kSmoothingRounds; ++round)
+    for (int j = 0; j < nodes.rows; ++j) {
+      const cv::Vec2f *above = nodes[std::max(0, j - 1)], *below = nodes[std::min(nodes.rows - 1, j + 1)];
+      cv::Vec2f* row = nodes[j];
+      for (int i = 0; i < nodes.cols; ++i) {
+        const cv::Vec2f sum = above[i] + below[i] + row[std::max(0, i - 1)] + row[std::min(nodes.cols - 1, i + 1)];
+        row[i] = row[i] * (1 - kOverRelaxation) + target(j, i) * own(j, i) + sum * around(j, i);
+      }
+    }
+}
+
 // The gradient of the distance to the edges (4), evened out: near an edge it stays, between edges it gives way to
 // what lies around, so that no seam is left where two edges' realms meet.
 DirectionField direction_of(const Fields& fields, const Params& params, double step) {
@@ -97,18 +129,10 @@ DirectionField direction_of(const Fields& fields, const Params& params, double s
       weight(j, i) = static_cast<float>(1 / (0.25 + 8 * away * away));
     }
   for (int j = 0; j < nodes.rows; ++j)
-    for (int i = 0; i < nodes.cols; ++i) nodes(j, i) = target(j, i) * weight(j, i);
+    for (int i = 0; i < nodes.cols; ++i) target(j, i) *= weight(j, i);
+  target.copyTo(nodes);
   smooth(nodes, 2);
-  const float give = static_cast<float>(params.smoothing);
-  const int rounds = params.smoothing > 0 ? 60 : 0;
-  for (int round = 0; round < rounds; ++round)
-    for (int j = 0; j < nodes.rows; ++j)
-      for (int i = 0; i < nodes.cols; ++i) {
-        const cv::Vec2f around = (nodes(std::max(0, j - 1), i) + nodes(std::min(nodes.rows - 1, j + 1), i) +
-                                  nodes(j, std::max(0, i - 1)) + nodes(j, std::min(nodes.cols - 1, i + 1))) *
-                                 0.25f;
-        nodes(j, i) = (target(j, i) * weight(j, i) + around * give) * (1 / (weight(j, i) + give + 1e-6f));
-      }
+  if (params.smoothing > 0) even_out(nodes, target, weight, static_cast<float>(params.smoothing));
   // Nothing said anything: rows lie along the picture's sides.
   for (cv::Vec2f& v : nodes)
     if (v.dot(v) < 1e-12f) v = {1, 0};
@@ -138,12 +162,6 @@ cv::Mat1f detail_of(const cv::Mat3b& photo, cv::Size nodes, double step) {
   return sum;
 }
 
-// x^(5/8) by square roots, which are the same everywhere: how fast tiles get smaller as detail grows.
-double five_eighths_power(double x) {
-  const double root = std::sqrt(x);
-  return root * std::sqrt(std::sqrt(root));
-}
-
 // 5.2: sides that follow the detail, smallest to largest as 1 to params.variation.
 cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, cv::Size nodes, double step) {
   cv::Mat1f detail = detail_of(photo.mat(), nodes, step);
@@ -155,8 +173,8 @@ cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, cv::Size
   cv::Mat1f sizes(nodes);
   for (int j = 0; j < nodes.height; ++j)
     for (int i = 0; i < nodes.width; ++i)
-      sizes(j, i) = static_cast<float>(
-          std::clamp(1 / five_eighths_power((detail(j, i) + 0.1 * mean) / (1.1 * mean)), 1 / widest, widest));
+      sizes(j, i) =
+          static_cast<float>(std::clamp(std::sqrt(1.1 * mean / (detail(j, i) + 0.1 * mean)), 1 / widest, widest));
   smooth(sizes, 6);
   return sizes;
 }
@@ -186,8 +204,10 @@ Point Fields::inside(Point p) const {
   return {std::clamp<double>(p.x, 0, size.width), std::clamp<double>(p.y, 0, size.height)};
 }
 
-Point Fields::uphill(Point p) const {
-  const cv::Vec2d up = tessera::uphill(distance, p.x, p.y, std::max(2, static_cast<int>(side(p.x, p.y) / 6)));
+Point Fields::uphill(Point p) const { return uphill_of(distance, p); }
+
+Point Fields::uphill_of(const DistanceField& field, Point p) const {
+  const cv::Vec2d up = tessera::uphill(field, p.x, p.y, std::max(2, static_cast<int>(side(p.x, p.y) / 6)));
   return {up[0], up[1]};
 }
 
@@ -198,8 +218,7 @@ void scale_sides(Fields& fields, double factor) {
 Fields make_fields(const Pictures& pictures, const Params& params, double side) {
   Fields fields;
   fields.size = {pictures.photo.width, pictures.photo.height};
-  fields.edges = edges_of(pictures, params, side);
-  fields.distance = edge_distance(fields.edges);
+  find_edges_and_lines(pictures, params, side, fields);
   fields.step = std::max(1.0, side / kNodesPerSide);
   const cv::Size nodes = DirectionField(fields.size, fields.step).nodes().size();
   fields.sides = sizes_of(pictures, params, nodes, fields.step);

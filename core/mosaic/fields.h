@@ -23,6 +23,7 @@ struct Fields {
   cv::Size size;
   cv::Mat1b edges;           // 255 on an edge
   DistanceField distance;    // px to the next edge pixel; kNoFrontier where there is none
+  DistanceField to_line;     // px to the next pixel of an edge or of a finer line, to which tiles' corners move
   DirectionField direction;  // of the tiles' u axis, across edges
   cv::Mat1f sides;           // of a square tile, px, at nodes `step` apart, the first at (0, 0)
   double step = 1;
@@ -30,6 +31,7 @@ struct Fields {
   double side(double x, double y) const;  // of a square tile at (x, y)
   Point inside(Point p) const;            // the point of the picture nearest to p
   Point uphill(Point p) const;            // unit vector away from the next edge; (0, 0) where there is none
+  Point uphill_of(const DistanceField& field, Point p) const;  // the same of another of the fields
 };
 
 // `side`: what a tile measures on average, px. All problems of the other pictures end in sensible fields: an edge

@@ -28,7 +28,7 @@ struct Params {
   double tolerance = 0;
   double avoidance = 0.25;
   int settle = 4;
-  double edge_share = 0.06;
+  double edge_share = 0.04;
   double edge_detail = 0.35;
   double smoothing = 8;
   std::string region_sizes = "#0000ff=1.6 #00ff00=1 #ff00ff=0.5";

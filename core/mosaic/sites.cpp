@@ -19,12 +19,13 @@ constexpr int kSnappedRows = 2;   // how many rows keep to whole distances from 
 class Front {
  public:
   Front(const Fields& fields, const Params& params) : fields_(fields), params_(params) {
-    float least = std::numeric_limits<float>::max(), most = 0;
-    for (const float v : fields.sides) least = std::min(least, v), most = std::max(most, v);
+    float least = std::numeric_limits<float>::max();
+    for (const float v : fields.sides) least = std::min(least, v), most_ = std::max(most_, v);
     // Of a rectangle the longer side counts.
     const double stretch = std::sqrt(std::max(params.aspect, 1 / params.aspect));
+    narrowness_ = 1 / stretch;
     bin_ = std::max(1.0, 1.0 * least);
-    reach_ = static_cast<int>(std::ceil(most * stretch / bin_)) + 1;
+    reach_ = static_cast<int>(std::ceil(most_ * stretch / bin_)) + 1;
     columns_ = static_cast<int>(fields.size.width / bin_) + 1;
     rows_ = static_cast<int>(fields.size.height / bin_) + 1;
     bins_.resize(static_cast<std::size_t>(columns_) * rows_);
@@ -61,6 +62,7 @@ class Front {
     const double away = rows_from_edge(p);
     const int row = static_cast<int>(std::min(away, 1e6));
     if (row < kSnappedRows) p = snapped(p, row + 0.5);
+    if (hopeless(p)) return;
     open_.push({row, beginning, turn_++, static_cast<float>(p.x), static_cast<float>(p.y)});
   }
 
@@ -75,6 +77,7 @@ class Front {
     const int stride = std::max(1, static_cast<int>(bin_ / 3));
     for (int y = 0; y < fields_.size.height; y += stride)
       for (int x = 0; x < fields_.size.width; x += stride) {
+        if (fields_.distance(y, x) > 0.7 * most_) continue;
         const Point p{x + 0.5, y + 0.5};
         const double away = rows_from_edge(p);
         if (away > 0.3 && away < 0.7) propose(p, true);
@@ -105,7 +108,7 @@ class Front {
                                  std::max(fields_.size.width - half, 0.5 * fields_.size.width)),
                       std::clamp(y, std::min(half, 0.5 * fields_.size.height),
                                  std::max(fields_.size.height - half, 0.5 * fields_.size.height))};
-        if (!has_room(tile_at(p))) continue;
+        if (hopeless(p) || !has_room(tile_at(p))) continue;
         propose(p, true);
         grow();
       }
@@ -131,7 +134,7 @@ class Front {
     const auto leaves = [&](double v, double size) {
       return v < std::min(margin, 0.4 * size) || v > size - std::min(margin, 0.4 * size);
     };
-    if (leaves(p.x, fields_.size.width) || leaves(p.y, fields_.size.height)) return false;
+    if (leaves(p.x, fields_.size.width) || leaves(p.y, fields_.size.height) || hopeless(p)) return false;
     const Tile tile = tile_at(p);
     if (!has_room(tile)) return false;
     bins_[bin_of(tile.site)].push_back(static_cast<int>(tiles_.size()));
@@ -158,6 +161,23 @@ class Front {
     return true;
   }
 
+  // Whether a tile in this place or next to it is so near that there is no room, whichever way both turn. Most places
+  // proposed are taken, and need no frame to be turned down.
+  bool hopeless(Point p) const {
+    const double half = 0.5 * narrowness_ * fields_.side(p.x, p.y);
+    const int ci = static_cast<int>(std::clamp(p.x / bin_, 0.0, columns_ - 1.0)),
+              cj = static_cast<int>(std::clamp(p.y / bin_, 0.0, rows_ - 1.0));
+    for (int j = std::max(0, cj - 1); j <= std::min(rows_ - 1, cj + 1); ++j)
+      for (int i = std::max(0, ci - 1); i <= std::min(columns_ - 1, ci + 1); ++i)
+        for (const int k : bins_[static_cast<std::size_t>(j) * columns_ + i]) {
+          const Site& other = tiles_[k].site;
+          const Point way = Point{other.x, other.y} - p;
+          const double reach = kCrowded * (half + std::min(other.extent_u, other.extent_v));
+          if (dot(way, way) < reach * reach) return true;
+        }
+    return false;
+  }
+
   // Distance in the frames of both, where 1 is side by side.
   static bool crowded(const Tile& a, const Tile& b) {
     const double dx = b.site.x - a.site.x, dy = b.site.y - a.site.y;
@@ -170,6 +190,8 @@ class Front {
 
   const Fields& fields_;
   const Params& params_;
+  float most_ = 0;         // side of the largest tile
+  double narrowness_ = 1;  // a tile's shorter side against that of a square
   double bin_ = 1;
   int reach_ = 1, columns_ = 1, rows_ = 1;
   std::vector<std::vector<int>> bins_;

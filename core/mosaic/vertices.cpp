@@ -12,19 +12,19 @@
 namespace tessera::mosaic {
 namespace {
 
-constexpr double kLimit = 1.5;       // px a vertex may move away from its corner to be equally far from its sites
-constexpr double kEdgeReach = 0.42;  // of a tile's side: how far a vertex moves to an edge
+constexpr double kLimit = 1.5;      // px a vertex may move away from its corner to be equally far from its sites
+constexpr double kEdgeReach = 0.3;  // of a tile's side: how far a vertex moves to an edge or line
 
-// Moves p onto the edge next to it; false, and p stays, where that does not lead within half a pixel of one.
+// Moves p onto the edge or line next to it; false, and p stays, where that does not lead within half a pixel of one.
 bool to_edge(const Fields& fields, double reach, Point& p) {
   Point q = p;
   for (int i = 0; i < 4; ++i) {
-    const double distance = at(fields.distance, q.x, q.y);
+    const double distance = at(fields.to_line, q.x, q.y);
     if (distance < 0.3) break;
-    q = q - distance * fields.uphill(q);
+    q = q - distance * fields.uphill_of(fields.to_line, q);
     if (length(q - p) > reach) return false;
   }
-  if (at(fields.distance, q.x, q.y) > 0.75) return false;
+  if (at(fields.to_line, q.x, q.y) > 0.75) return false;
   p = q;
   return true;
 }
@@ -58,8 +58,8 @@ class Placer {
       if (make_equidistant(frames_[cells[0]], frames_[cells[1]], frames_[cells[2]], kLimit, q)) p = fields_.inside(q);
     }
     const double reach = kEdgeReach * fields_.side(p.x, p.y);
-    if (at(fields_.distance, p.x, p.y) > reach) return;
-    const Point away = fields_.uphill(p);
+    if (at(fields_.to_line, p.x, p.y) > reach) return;
+    const Point away = fields_.uphill_of(fields_.to_line, p);
     if (to_edge(fields_, 1.5 * reach, p)) {
       p = fields_.inside(p);
       freedom = Freedom::kFrontier;

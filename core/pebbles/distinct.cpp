@@ -9,13 +9,16 @@
 #include <vector>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/pebbles/region_tree.h"
 
 namespace tessera::pebbles {
 namespace {
 
-constexpr int kAround = 3;           // px: width of what lies around a pebble
-constexpr double kGrainSigma = 1.5;  // px: what is finer is grain
-constexpr int kFiner = 16;           // parts of a level
+constexpr int kAround = 3;               // px: width of what lies around a pebble
+constexpr double kGrainSigma = 1.5;      // px: what is finer is grain
+constexpr double kLeastSolid = 0.7;     // area against that of the convex hull
+constexpr double kLeastSolidDark = 0.85;  // of what is darker than what is around: mostly a gap between pebbles
+constexpr int kFiner = 16;               // parts of a level
 
 // Sums over pixels of Lab, in parts of a level.
 struct Tone {
@@ -34,6 +37,7 @@ struct Surface {
   Tone inside, around;
   std::int64_t grain = 0;  // sum of differences from the smoothed picture
   // Difference between the mean colours against the mean grain of the surface.
+  bool darker_than_around() const { return inside.mean(0) < around.mean(0); }
   double distinctness() const {
     double contrast = 0;
     for (int c = 0; c < 3; ++c) contrast += std::fabs(inside.mean(c) - around.mean(c));
@@ -47,26 +51,22 @@ int sum_of_differences(const cv::Vec3w& a, const cv::Vec3w& b) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 
-// A pixel counts as around each label that it is not of and that is within kAround pixels along its row or column.
-void add_around(const cv::Mat3w& lab, const cv::Mat1i& labels, int y, int x, std::vector<Surface>& surfaces) {
-  int seen[4] = {labels(y, x), 0, 0, 0};
-  int known = 1;
-  for (const auto& [dy, dx] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}})
-    for (int d = 1; d <= kAround; ++d) {
-      const int v = y + d * dy, u = x + d * dx;
-      if (v < 0 || u < 0 || v >= labels.rows || u >= labels.cols) break;
-      const int label = labels(v, u);
-      if (label == 0 || std::find(seen, seen + known, label) != seen + known) continue;
-      if (known < 4) seen[known++] = label;
-      surfaces[label].around.add(lab(y, x));
-    }
+// From the border between two pixels `step` apart, the pixels that follow are around the label before it, and the
+// other way round.
+void add_around(const cv::Mat3w& lab, const cv::Mat1i& labels, cv::Point after, cv::Point step,
+                std::vector<Surface>& surfaces) {
+  const cv::Rect all({0, 0}, labels.size());
+  const auto add = [&](int label, cv::Point pixel, cv::Point onwards) {
+    for (int d = 0; label != 0 && d < kAround && all.contains(pixel); ++d, pixel += onwards)
+      if (labels(pixel) != label) surfaces[label].around.add(lab(pixel));
+  };
+  add(labels(after - step), after, step);
+  add(labels(after), after - step, -step);
 }
 
-std::vector<Surface> surfaces_of(const cv::Mat3b& photo, const cv::Mat1i& labels) {
+std::vector<Surface> surfaces_of(const cv::Mat3b& lab, const cv::Mat1i& labels) {
   int count = 0;
   for (const int label : labels) count = std::max(count, label);
-  cv::Mat3b lab;
-  cv::cvtColor(photo, lab, cv::COLOR_RGB2Lab);
   cv::Mat3w finer, smooth;
   lab.convertTo(finer, CV_16U, kFiner);
   cv::GaussianBlur(finer, smooth, {0, 0}, kGrainSigma, kGrainSigma, cv::BORDER_REPLICATE);
@@ -76,19 +76,24 @@ std::vector<Surface> surfaces_of(const cv::Mat3b& photo, const cv::Mat1i& labels
       Surface& own = surfaces[labels(y, x)];
       own.inside.add(finer(y, x));
       own.grain += sum_of_differences(finer(y, x), smooth(y, x));
-      add_around(finer, labels, y, x, surfaces);
+      if (x > 0 && labels(y, x) != labels(y, x - 1)) add_around(finer, labels, {x, y}, {1, 0}, surfaces);
+      if (y > 0 && labels(y, x) != labels(y - 1, x)) add_around(finer, labels, {x, y}, {0, 1}, surfaces);
     }
   return surfaces;
 }
 
 }  // namespace
 
-void drop_indistinct(const cv::Mat3b& photo, const Params& params, cv::Mat1i& labels) {
-  const std::vector<Surface> surfaces = surfaces_of(photo, labels);
+void drop_indistinct(const cv::Mat3b& lab, const Params& params, cv::Mat1i& labels) {
+  const std::vector<Surface> surfaces = surfaces_of(lab, labels);
+  const std::vector<double> hulls = hull_areas(labels, static_cast<int>(surfaces.size()));
   std::vector<int> number(surfaces.size(), 0);
   for (std::size_t label = 1; label < surfaces.size(); ++label) {
     const double area = static_cast<double>(surfaces[label].inside.count);
-    if (4 * area >= kPi * params.smallest * params.smallest && surfaces[label].distinctness() >= params.contrast)
+    const double solidity = area / hulls[label];
+    const bool is_gap = surfaces[label].darker_than_around() && solidity < kLeastSolidDark;
+    if (4 * area >= kPi * params.smallest * params.smallest && solidity >= kLeastSolid && !is_gap &&
+        surfaces[label].distinctness() >= params.contrast)
       number[label] = static_cast<int>(label);
   }
   for (int& label : labels) label = number[label];

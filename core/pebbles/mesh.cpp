@@ -7,7 +7,8 @@
 namespace tessera::pebbles {
 namespace {
 
-constexpr int kLeastMeridians = 8, kLeastMeridiansLater = 6, kLeastParallels = 4;
+constexpr int kLeastMeridians = 8, kLeastParallels = 4;
+constexpr int kMendRounds = 32;
 constexpr int kHullSides = 10, kHullParallels = 4;  // 2 + 10 * 3 = 32 vertices
 
 std::vector<SinCos> directions(int count) {
@@ -42,25 +43,6 @@ SemiAxis height_at(SinCos theta, const Body& body) {
 }
 
 double lowest(const Body& body) { return -body.height * levelled(1, 1 - body.flatten).value; }
-
-// Two triangles to each field between rings, one to each at a pole; the seam closes by index modulo N.
-void add_triangles(Mesh& mesh, std::uint32_t n, std::uint32_t rings) {
-  const std::uint32_t last = 1 + n * rings;
-  mesh.indices.reserve(std::size_t{6} * n * rings);
-  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
-  };
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t next = (i + 1) % n;
-    triangle(0, 1 + next, 1 + i);
-    for (std::uint32_t j = 0; j + 1 < rings; ++j) {
-      const std::uint32_t upper = 1 + n * j, lower = upper + n;
-      triangle(upper + i, upper + next, lower + i);
-      triangle(upper + next, lower + next, lower + i);
-    }
-    triangle(last, last - n + i, last - n + next);
-  }
-}
 
 // Moments of the area inside r(phi), in polar coordinates: 1, x, y, xx, xy, yy.
 std::array<double, 6> moments(const std::vector<double>& radii) {
@@ -119,11 +101,9 @@ SurfacePoint generalized_ellipsoid(SinCos phi, SinCos theta, const SemiAxis& f, 
 }
 
 Detail detail_of(double radius, double error, int lod) {
-  const int wanted = static_cast<int>(std::ceil(kPi * std::sqrt(radius / (2 * error)) / 2)) * 2;
-  const int finest = std::max(kLeastMeridians, wanted);
-  const int halved = (finest >> lod) / 2 * 2;
-  const int n = lod == 0 ? finest : std::max(kLeastMeridiansLater, halved);
-  return {n, std::max(kLeastParallels, (n + 2) / 4 * 2)};
+  const int circle = static_cast<int>(std::ceil(kPi * std::sqrt(radius / (2 * error))));
+  return {std::max(kLeastMeridians, circle >> lod << 1),
+          std::max(kLeastParallels, (circle + (2 << lod)) >> (lod + 2) << 1)};
 }
 
 std::vector<double> resampled(const std::vector<double>& radii, int count) {
@@ -151,6 +131,28 @@ double half_height(const std::vector<double>& radii, Height kind) {
   return sorted[static_cast<std::size_t>(rank)];
 }
 
+std::vector<std::uint32_t> body_triangles(Detail detail) {
+  const auto n = static_cast<std::uint32_t>(detail.meridians),
+             rings = static_cast<std::uint32_t>(detail.parallels - 1);
+  const std::uint32_t last = 1 + n * rings;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(std::size_t{6} * n * rings);
+  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    indices.insert(indices.end(), {a, b, c});
+  };
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    triangle(0, 1 + next, 1 + i);
+    for (std::uint32_t j = 0; j + 1 < rings; ++j) {
+      const std::uint32_t upper = 1 + n * j, lower = upper + n;
+      triangle(upper + i, upper + next, lower + i);
+      triangle(upper + next, lower + next, lower + i);
+    }
+    triangle(last, last - n + i, last - n + next);
+  }
+  return indices;
+}
+
 Mesh body_mesh(const Body& body, int parallels) {
   const std::size_t n = body.radii.size();
   const std::vector<SinCos> phi = directions(static_cast<int>(n));
@@ -176,7 +178,6 @@ Mesh body_mesh(const Body& body, int parallels) {
     }
   }
   add({0, lowest(body), 0}, {0, -1, 0});
-  add_triangles(mesh, static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(parallels - 1));
   return mesh;
 }
 
@@ -192,15 +193,19 @@ Mesh body_hull(const Body& body) {
     for (const Point p : ring) mesh.positions.emplace_back(p.x * theta.cos, y, p.y * theta.cos);
   }
   mesh.positions.emplace_back(0, lowest(body), 0);
-  add_triangles(mesh, static_cast<std::uint32_t>(ring.size()), kHullParallels - 1);
   return mesh;
+}
+
+Detail hull_detail(const Mesh& hull) {
+  return {static_cast<int>(hull.positions.size() - 2) / (kHullParallels - 1), kHullParallels};
 }
 
 Solid measure(const Mesh& mesh) {
   Solid solid;
-  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    const glm::dvec3 a(mesh.positions[mesh.indices[t]]), b(mesh.positions[mesh.indices[t + 1]]),
-        c(mesh.positions[mesh.indices[t + 2]]);
+  const std::vector<std::uint32_t>& indices = *mesh.indices;
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+    const glm::dvec3 a(mesh.positions[indices[t]]), b(mesh.positions[indices[t + 1]]),
+        c(mesh.positions[indices[t + 2]]);
     const double six = glm::dot(a, glm::cross(b, c));  // a tetrahedron with the origin
     solid.volume += six / 6;
     solid.centre += six * (a + b + c);
@@ -211,15 +216,35 @@ Solid measure(const Mesh& mesh) {
 
 void average_normals(Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0));
-  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    const glm::dvec3 a(mesh.positions[mesh.indices[t]]);
-    const glm::dvec3 area = glm::cross(glm::dvec3(mesh.positions[mesh.indices[t + 1]]) - a,
-                                       glm::dvec3(mesh.positions[mesh.indices[t + 2]]) - a);
-    for (std::size_t k = t; k < t + 3; ++k) sums[mesh.indices[k]] += area;
+  const std::vector<std::uint32_t>& indices = *mesh.indices;
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+    const glm::dvec3 a(mesh.positions[indices[t]]);
+    const glm::dvec3 area =
+        glm::cross(glm::dvec3(mesh.positions[indices[t + 1]]) - a, glm::dvec3(mesh.positions[indices[t + 2]]) - a);
+    for (std::size_t k = t; k < t + 3; ++k) sums[indices[k]] += area;
   }
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double length = std::sqrt(glm::dot(sums[v], sums[v]));
     if (length > 0) mesh.normals[v] = glm::vec3(sums[v] / length);
+  }
+}
+
+void mend_normals(Mesh& mesh, const glm::dvec3& centre) {
+  const std::vector<std::uint32_t>& indices = *mesh.indices;
+  const auto at = [&](std::size_t corner) { return glm::dvec3(mesh.positions[indices[corner]]); };
+  bool mended = true;
+  for (int round = 0; mended && round < kMendRounds; ++round) {
+    mended = false;
+    for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+      glm::dvec3 normals(0);
+      for (std::size_t k = t; k < t + 3; ++k) normals += glm::dvec3(mesh.normals[indices[k]]);
+      if (glm::dot(glm::cross(at(t + 1) - at(t), at(t + 2) - at(t)), normals) > 0) continue;
+      for (std::size_t k = t; k < t + 3; ++k) {
+        glm::vec3& normal = mesh.normals[indices[k]];
+        normal = glm::vec3(glm::normalize(glm::dvec3(normal) + glm::normalize(at(k) - centre)));
+      }
+      mended = true;
+    }
   }
 }
 

@@ -32,8 +32,9 @@ struct Detail {
   int parallels = 4;  // M, even: one ring is the equator
 };
 
-// As many as keep a circle of `radius` px within `error` px (> 0), N >= pi sqrt(R / (2 e)); each level of detail
-// after the first (0) has half of them. At least 8 x 4, and 6 x 4 at later levels.
+// Of a pebble of `radius` px within `error` px (> 0): N >= pi sqrt(R / (2 e)) would do for a circle. Outlines are
+// none and get twice as many meridians; sections from pole to pole are ellipses, and M is half of what does for a
+// circle. Each level of detail after the first (0) has half of both. At least 8 x 4.
 Detail detail_of(double radius, double error, int lod);
 
 // r(phi) in `count` directions, from any number of them: between them linear; of more, their mean around each.
@@ -49,12 +50,17 @@ struct Body {
   double flatten = 0;         // 0..1: how much of the lower half is missing
 };
 
-// The body around (0, 0, 0), the centre of its outline at the height of its equator: closed, positions and normals
-// only. Vertex 0 is the upper pole, ring j has the vertices 1 + N (j - 1) + i, the lower pole comes last.
+// The triangles of such meshes: two to each field between rings, one to each at a pole; the seam closes by index
+// modulo N. Vertex 0 is the upper pole, ring j has the vertices 1 + N (j - 1) + i, the lower pole comes last.
+std::vector<std::uint32_t> body_triangles(Detail detail);
+
+// The body around (0, 0, 0), the centre of its outline at the height of its equator: positions and normals only, for
+// body_triangles({body.radii.size(), parallels}).
 Mesh body_mesh(const Body& body, int parallels);
 
-// A convex hull of it of at most 32 vertices, all of them on the body.
+// A convex hull of it of at most 32 vertices, all of them within it; for body_triangles(hull_detail(hull)).
 Mesh body_hull(const Body& body);
+Detail hull_detail(const Mesh& hull);
 
 struct Solid {
   double volume = 0;
@@ -64,5 +70,9 @@ Solid measure(const Mesh& mesh);
 
 // Normals from the triangles around each vertex, for vertices that have been moved.
 void average_normals(Mesh& mesh);
+
+// Turns normals outward, away from `centre`, where a triangle faces against the sum of its vertices' normals: on
+// outlines that leap from one direction to the next.
+void mend_normals(Mesh& mesh, const glm::dvec3& centre);
 
 }  // namespace tessera::pebbles

@@ -19,12 +19,12 @@ std::vector<cv::Point> corners(const Pebble& pebble) {
 
 }  // namespace
 
-Raster overlay(const ImageView& photo, const std::vector<Pebble>& pebbles) {
-  Raster raster{photo.width, photo.height, 3, 8, {}};
-  raster.bytes.resize(std::size_t{3} * photo.width * photo.height);
-  cv::Mat3b picture(photo.height, photo.width, reinterpret_cast<cv::Vec3b*>(raster.bytes.data()));
-  photo.mat().copyTo(picture);
-  const int thickness = std::max(1, photo.width / 900);
+Raster overlay(const cv::Mat3b& photo, const std::vector<Pebble>& pebbles) {
+  Raster raster{photo.cols, photo.rows, 3, 8, {}};
+  raster.bytes.resize(3 * photo.total());
+  cv::Mat3b picture(photo.rows, photo.cols, reinterpret_cast<cv::Vec3b*>(raster.bytes.data()));
+  photo.copyTo(picture);
+  const int thickness = std::max(1, photo.cols / 900);
   for (const Pebble& pebble : pebbles) {
     const std::vector<std::vector<cv::Point>> line{corners(pebble)};
     cv::polylines(picture, line, true, {20, 20, 20}, 3 * thickness, cv::LINE_AA, kFraction);

@@ -131,7 +131,7 @@ void visit(Visitor& v, Params& p) {
                             .ui_min = 0,
                             .ui_max = 5000,
                             .unit = "px/m",
-                            .help = "Pixels of the photo to a metre; 0 where widthM says it",
+                            .help = "Pixels of the photo to a metre, in place of widthM; 0 leaves it to that",
                             .advanced = true});
   v.number(p.mesh_error, {.key = "meshError",
                           .min = 0.05,
@@ -180,8 +180,6 @@ void visit(Visitor& v, Params& p) {
 // Cross-field checks, after each field is within its own range: report(key, message).
 template <class Report>
 void check(const Params& p, Report&& report) {
-  if (p.width_m > 0 && p.pixels_per_m > 0)
-    report("pixelsPerM", "is given together with widthM, expected one of them");
   std::vector<Edit> edits;
   if (!parse_edits(p.edits, edits))
     report("edits", "is no list of edits, expected such as \"merge 120,44 130,60; split 9,9 20,9; delete 5,8\"");

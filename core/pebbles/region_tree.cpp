@@ -50,13 +50,13 @@ Hull joined(const Hull& a, const Hull& b) {
   return hull_of(points);
 }
 
-// The corners of each basin's pixels that may be corners of its hull: the ends of its rows.
-std::vector<Hull> hulls_of(const Basins& basins) {
+// The corners of each label's pixels that may be corners of its hull: the ends of its rows.
+std::vector<Hull> hulls_of(const cv::Mat1i& labels, int count) {
   struct Ends {
     int y = -1, least = 0, most = 0;
   };
-  std::vector<std::vector<Corner>> points(basins.count);
-  std::vector<Ends> ends(basins.count);
+  std::vector<std::vector<Corner>> points(count);
+  std::vector<Ends> ends(count);
   const auto flush = [&](int b) {
     if (ends[b].y < 0) return;
     for (const int y : {ends[b].y, ends[b].y + 1}) {
@@ -64,17 +64,18 @@ std::vector<Hull> hulls_of(const Basins& basins) {
       points[b].push_back({ends[b].most, y});
     }
   };
-  for (int y = 0; y < basins.labels.rows; ++y)
-    for (int x = 0; x < basins.labels.cols; ++x) {
-      const int b = basins.labels(y, x);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      const int b = labels(y, x);
       if (ends[b].y != y) {
         flush(b);
         ends[b] = {y, x, x + 1};
       }
       ends[b].most = x + 1;
     }
-  std::vector<Hull> hulls(basins.count);
-  for (int b = 0; b < basins.count; ++b) {
+  std::vector<Hull> hulls(count);
+  for (int b = 0; b < count; ++b) {
+    if (ends[b].y < 0) continue;
     flush(b);
     std::sort(points[b].begin(), points[b].end(), before);
     hulls[b] = hull_of(points[b]);
@@ -190,6 +191,12 @@ double Moments::ellipse_area() const {
   return 4 * 3.14159265358979323846 * std::sqrt(std::max(0.0, vx * vy - c * c));
 }
 
+std::vector<double> hull_areas(const cv::Mat1i& labels, int count) {
+  std::vector<double> areas;
+  for (const Hull& hull : hulls_of(labels, count)) areas.push_back(area_of(hull));
+  return areas;
+}
+
 std::vector<Region> region_tree(const Basins& basins, const cv::Mat1w& strength) {
   std::vector<Region> regions(basins.count);
   regions.reserve(2 * static_cast<std::size_t>(basins.count));
@@ -200,7 +207,7 @@ std::vector<Region> region_tree(const Basins& basins, const cv::Mat1w& strength)
       r.moments += {1, i, j, i * i, i * j, j * j};
       r.border += (x == 0) + (y == 0) + (x + 1 == basins.labels.cols) + (y + 1 == basins.labels.rows);
     }
-  std::vector<Hull> hulls = hulls_of(basins);
+  std::vector<Hull> hulls = hulls_of(basins.labels, basins.count);
   for (int b = 0; b < basins.count; ++b) regions[b].hull_area = area_of(hulls[b]);
   std::vector<int> region_in(basins.count);  // of a slot of `borders`
   for (int b = 0; b < basins.count; ++b) region_in[b] = b;

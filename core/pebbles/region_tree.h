@@ -21,13 +21,16 @@ struct Region {
   Moments moments;
   int left = -1, right = -1;  // the two it was joined of; -1: a basin of its own
   int parent = -1;
-  double joined_at = 0;  // mean strength of the border between the two; 0 for a basin
-  double hull_area = 0;  // px^2, of its pixels' corners
-  std::int64_t border = 0; // picture border pixels
+  double joined_at = 0;     // mean strength of the border between the two; 0 for a basin
+  double hull_area = 0;     // px^2, of its pixels' corners
+  std::int64_t border = 0;  // picture border pixels
 };
 
 // Regions 0 to basins.count - 1 are the basins, the others follow in the order they were joined: always the two with
 // the least mean strength along their common border.
 std::vector<Region> region_tree(const Basins& basins, const cv::Mat1w& strength);
+
+// Area of the convex hull of the pixels of each label 0 to count - 1, px^2; 0 of a label without pixels.
+std::vector<double> hull_areas(const cv::Mat1i& labels, int count);
 
 }  // namespace tessera::pebbles

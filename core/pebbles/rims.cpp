@@ -15,15 +15,6 @@ constexpr double kBodyShare = 0.3;  // of a label's pixels are darker than its b
 constexpr double kNearer = 0.4;     // of the way from gap to body: where the pebble begins
 constexpr int kFaintest = 4;        // levels of lightness: a gap that is less dark is none
 
-cv::Mat1b lightness_of(const cv::Mat3b& photo) {
-  cv::Mat3b calm, lab;
-  cv::medianBlur(photo, calm, 3);
-  cv::cvtColor(calm, lab, cv::COLOR_RGB2Lab);
-  cv::Mat1b lightness;
-  cv::extractChannel(lab, lightness, 0);
-  return lightness;
-}
-
 std::vector<int> body_lightness(const cv::Mat1b& lightness, const cv::Mat1i& labels, int count) {
   std::vector<std::array<int, 256>> histogram(count + 1);
   for (auto& h : histogram) h.fill(0);
@@ -71,10 +62,13 @@ void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Ma
 
 }  // namespace
 
-void trim_rims(const cv::Mat3b& photo, cv::Mat1i& labels) {
+void trim_rims(const cv::Mat3b& lab, cv::Mat1i& labels) {
   int count = 0;
   for (const int label : labels) count = std::max(count, label);
-  const cv::Mat1b lightness = lightness_of(photo);
+  cv::Mat3b calm;
+  cv::medianBlur(lab, calm, 3);
+  cv::Mat1b lightness;
+  cv::extractChannel(calm, lightness, 0);
   flood_rims(lightness, body_lightness(lightness, labels, count), labels);
   keep_largest_parts(labels, count);
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <memory>
 #include <string>
 
 #include "tessera/pebbles/mesh.h"
@@ -14,15 +17,15 @@ namespace {
 constexpr double kOffCentre = 0.2;  // of a pebble's radius: how far its outline's centre may be off that of volume
 constexpr double kBumps = 0.2;      // of h, a tenth of the whole height: relief of 1
 constexpr double kNormalMapRelief = 0.5;  // what the normal map shows
-constexpr double kFinerForRelief = 4;     // times as small a mesh error
+constexpr double kLeastBump = 1.0 / 12;   // of its radius: finer shading is grain
+constexpr double kMostBump = 1.0 / 2;     // coarser shading is its own roundness
 
 // ---- The photo in the world
 
 class World {
  public:
   World(const ImageView& photo, const Params& params)
-      : middle_{photo.width / 2.0, photo.height / 2.0},
-        metres_(metres_per_pixel(params, photo.width)) {
+      : middle_{photo.width / 2.0, photo.height / 2.0}, metres_(metres_per_pixel(params, photo.width)) {
     for (double step = metres_ / 1000; step < 1 && digits_ < 1e15; step *= 10) digits_ *= 10;
   }
 
@@ -65,18 +68,19 @@ std::vector<double> meridians_of(const Pebble& pebble, int count) {
   return radii;
 }
 
-double error_of(const Params& params) {
-  return params.relief > 0 ? params.mesh_error / kFinerForRelief : params.mesh_error;
-}
+// A point on the axis halfway up: all of the surface is seen from there.
+glm::dvec3 heart_of(const Mesh& mesh) { return {0, 0.5 * (mesh.positions.front().y + mesh.positions.back().y), 0}; }
 
-// Vertices of the upper half moved along their normals as the photo's shading says, less and less towards the rim.
+// Vertices of the upper half moved as the photo's shading says, less and less towards the rim. By as much as stands
+// out along the normal, but towards or away from the heart: nothing folds over.
 void raise(Mesh& mesh, const Shading& shading, Point centre, Bumps bumps) {
+  const glm::dvec3 heart = heart_of(mesh);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);
     if (normal.y <= 0) continue;
     glm::vec3& position = mesh.positions[v];
-    const double height = bumps.height * shading.height(centre + Point{position.x, position.z}, bumps.radius);
-    position += glm::vec3(height * normal.y * normal);
+    const double height = normal.y * bumps.at(centre + Point{position.x, position.z}, shading);
+    position += glm::vec3(height * glm::normalize(glm::dvec3(position) - heart));
   }
   average_normals(mesh);
 }
@@ -95,21 +99,41 @@ void move_and_scale(Mesh& mesh, const glm::dvec3& origin, double scale) {
   for (glm::vec3& position : mesh.positions) position = glm::vec3((glm::dvec3(position) - origin) * scale);
 }
 
-Bumps bumps_of(const Pebble& pebble, const Params& params, double relief) {
-  return {std::sqrt(area_of(pebble.radii) / kPi),
+// Of what a mesh of so many meridians can show, 0: of all that the photo does.
+Bumps bumps_of(const Pebble& pebble, const Params& params, double relief, int meridians) {
+  const double radius = std::sqrt(area_of(pebble.radii) / kPi);
+  const double least = std::max(1.0, radius * std::max(kLeastBump, meridians > 0 ? kPi / meridians : 0));
+  return {least, std::max(2 * least, kMostBump * radius),
           relief * kBumps * params.height_factor * half_height(pebble.radii, params.height)};
 }
 
+// Each list of triangles once.
+class TriangleLists {
+ public:
+  Indices add(Detail detail) {
+    Indices& list = lists_[{detail.meridians, detail.parallels}];
+    if (!list) list = std::make_shared<const std::vector<std::uint32_t>>(body_triangles(detail));
+    return list;
+  }
+  Indices of(Detail detail) const { return lists_.at({detail.meridians, detail.parallels}); }
+
+ private:
+  std::map<std::pair<int, int>, Indices> lists_;
+};
+
 Stone make_stone(const Pebble& pebble, const World& world, const Params& params, const Shading* shading,
-                 cv::Size photo) {
-  const double farthest = largest(pebble.radii), error = error_of(params);
+                 cv::Size photo, const TriangleLists& triangles) {
+  const double farthest = largest(pebble.radii), error = params.mesh_error;
   const Detail detail = detail_of(farthest, error, params.lod);
   const Body body{meridians_of(pebble, detail.meridians),
                   params.height_factor * half_height(pebble.radii, params.height), params.flatten};
   Stone stone;
   stone.id = pebble.id;
   stone.mesh = body_mesh(body, detail.parallels);
-  if (params.relief > 0) raise(stone.mesh, *shading, pebble.centre, bumps_of(pebble, params, params.relief));
+  stone.mesh.indices = triangles.of(detail);
+  if (params.relief > 0)
+    raise(stone.mesh, *shading, pebble.centre, bumps_of(pebble, params, params.relief, detail.meridians));
+  mend_normals(stone.mesh, heart_of(stone.mesh));
   project_texture(stone.mesh, pebble.centre, body.radii, photo);
   if (params.normal_map) add_tangents(stone.mesh);
   if (params.collider == Collider::kHull) stone.hull = body_hull(body);
@@ -134,12 +158,16 @@ Stone make_stone(const Pebble& pebble, const World& world, const Params& params,
 std::vector<Stone> make_stones(const std::vector<Pebble>& pebbles, const World& world, const Params& params,
                                const Shading* shading, cv::Size photo) {
   std::vector<Stone> stones(pebbles.size());
+  TriangleLists triangles;
+  for (const Pebble& pebble : pebbles) triangles.add(detail_of(largest(pebble.radii), params.mesh_error, params.lod));
   cv::parallel_for_({0, static_cast<int>(pebbles.size())}, [&](const cv::Range& range) {
     for (int k = range.start; k < range.end; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      stones[i] = make_stone(pebbles[i], world, params, shading, photo);
+      stones[i] = make_stone(pebbles[i], world, params, shading, photo, triangles);
     }
   });
+  if (params.collider == Collider::kHull)
+    for (Stone& stone : stones) stone.hull.indices = triangles.add(hull_detail(stone.hull));
   return stones;
 }
 
@@ -151,7 +179,7 @@ class Field {
       : world_(world),
         params_(params),
         photo_(photo),
-        size_(world.metres() * photo.width, world.metres() * photo.height) {}
+        size_{world.metres() * photo.width, world.metres() * photo.height} {}
 
   void add_surfaces(const std::vector<Pebble>& pebbles, const cv::Mat1i& labels, Texture texture,
                     const Shading* shading) {
@@ -161,7 +189,7 @@ class Field {
       std::vector<Bumps> bumps(1);
       for (const Pebble& pebble : pebbles) {
         bumps.resize(std::max(bumps.size(), static_cast<std::size_t>(pebble.id) + 1));
-        bumps[static_cast<std::size_t>(pebble.id)] = bumps_of(pebble, params_, kNormalMapRelief);
+        bumps[static_cast<std::size_t>(pebble.id)] = bumps_of(pebble, params_, kNormalMapRelief, 0);
       }
       scene_.surfaces[0].normals = static_cast<int>(scene_.textures.size());
       scene_.textures.push_back(normals_texture(*shading, labels, bumps));
@@ -187,8 +215,10 @@ class Field {
   // All pebbles as one mesh.
   void add_merged(const std::vector<Stone>& stones, std::vector<int>& view) {
     Mesh all;
-    for (const Stone& stone : stones) append(stone.mesh, world_.place(stone.pixel, stone.up), all);
+    std::vector<std::uint32_t> indices;
+    for (const Stone& stone : stones) append(stone.mesh, world_.place(stone.pixel, stone.up), all, indices);
     if (all.positions.empty()) return;
+    all.indices = std::make_shared<const std::vector<std::uint32_t>>(std::move(indices));
     all.surface = 0;
     view.push_back(add({.name = "pebbles", .mesh = add_mesh(std::move(all))}));
   }
@@ -237,7 +267,7 @@ class Field {
       plane.normals.emplace_back(0, 1, 0);
       plane.texture_coordinates.emplace_back(0.5 + x * u, 0.5 + z * v);
     }
-    plane.indices = {0, 1, 2, 0, 2, 3};
+    plane.indices = std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
     plane.surface = ground_surface_;
     return {add({.name = "ground", .mesh = add_mesh(std::move(plane))})};
   }
@@ -265,7 +295,7 @@ class Field {
             .mesh = add_mesh(std::move(mesh))};
   }
 
-  static void append(const Mesh& mesh, const glm::dvec3& place, Mesh& all) {
+  static void append(const Mesh& mesh, const glm::dvec3& place, Mesh& all, std::vector<std::uint32_t>& indices) {
     const auto first = static_cast<std::uint32_t>(all.positions.size());
     for (const glm::vec3& position : mesh.positions) all.positions.emplace_back(glm::dvec3(position) + place);
     const auto join = [](auto& target, const auto& source) {
@@ -274,7 +304,7 @@ class Field {
     join(all.normals, mesh.normals);
     join(all.texture_coordinates, mesh.texture_coordinates);
     join(all.tangents, mesh.tangents);
-    for (const std::uint32_t index : mesh.indices) all.indices.push_back(first + index);
+    for (const std::uint32_t index : *mesh.indices) indices.push_back(first + index);
   }
 
   const World& world_;
@@ -302,21 +332,21 @@ Scene build_scene(const std::vector<Pebble>& pebbles, const cv::Mat1i& labels, c
 
   std::vector<Scene::View> views;
   std::vector<int> shared;  // by all views
-  if (!strewn) shared = field.add_hulls(stones);
-  if (!strewn && params.layout != FieldLayout::kNodes) field.add_merged(stones, views.emplace_back("merged").nodes);
-  if (strewn || params.layout != FieldLayout::kMerged) {
-    std::vector<int>& nodes = views.insert(views.begin(), Scene::View{"pebbles", {}})->nodes;
-    if (strewn) {
-      field.add_strewn(stones, seed, nodes);
-    } else {
-      field.add_nodes(stones, nodes);
-    }
+  if (strewn) {
+    field.add_strewn(stones, seed, views.emplace_back(Scene::View{"pebbles", {}}).nodes);
+  } else {
+    shared = field.add_hulls(stones);
+    Scene::View merged{"merged", {}};
+    if (params.layout != FieldLayout::kNodes) field.add_merged(stones, merged.nodes);
+    if (params.layout != FieldLayout::kMerged)
+      field.add_nodes(stones, views.emplace_back(Scene::View{"pebbles", {}}).nodes);
+    if (params.layout != FieldLayout::kNodes) views.push_back(std::move(merged));
   }
   const std::vector<int> ground = field.add_ground();
   shared.insert(shared.end(), ground.begin(), ground.end());
+  for (Scene::View& view : views) view.nodes.insert(view.nodes.end(), shared.begin(), shared.end());
 
   Scene scene = field.scene();
-  for (Scene::View& view : views) view.nodes.insert(view.nodes.end(), shared.begin(), shared.end());
   scene.views = std::move(views);
   scene.quantize = params.quantize;
   return scene;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/image/lab.h"
 #include "tessera/pebbles/distinct.h"
 #include "tessera/pebbles/region_tree.h"
 #include "tessera/pebbles/rims.h"
@@ -14,7 +15,7 @@
 namespace tessera::pebbles {
 namespace {
 
-constexpr int kShallow = 240;     // units of strength: basins less deep are none
+constexpr int kShallow = 200;     // units of strength: basins less deep are none
 constexpr double kLasting = 640;  // units of strength: how much stronger than within the border around should be
 constexpr double kLargestShare = 0.25;  // of the picture: no pebble covers more
 constexpr double kLeastLooks = 0.3;     // a region's score for each of its pixels
@@ -71,7 +72,8 @@ cv::Mat1i painted(const Basins& basins, const std::vector<int>& number) {
 }  // namespace
 
 Result<cv::Mat1i> segment_by_tree(const cv::Mat3b& photo, const Params& params, const RunContext& context) {
-  const cv::Mat1w strength = border_strength(photo);
+  const cv::Mat3b lab = lab_of(photo);
+  const cv::Mat1w strength = border_strength(lab);
   if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
   context.progress(0.2);
   const Basins basins = watershed(strength, kShallow);
@@ -82,8 +84,8 @@ Result<cv::Mat1i> segment_by_tree(const cv::Mat3b& photo, const Params& params, 
   context.progress(0.45);
   cv::Mat1i labels =
       painted(basins, choose(regions, basins.count, static_cast<std::int64_t>(photo.total()), params.smallest));
-  trim_rims(photo, labels);
-  drop_indistinct(photo, params, labels);
+  trim_rims(lab, labels);
+  drop_indistinct(lab, params, labels);
   return labels;
 }
 

@@ -5,8 +5,8 @@
 
 namespace tessera::pebbles {
 
-// 16 to a level of Lab (8 bits a channel), size of the photo (RGB): colour's gradient at two scales, and how far a
-// pixel lies in a dark gap. Whole numbers: the same on every platform.
-cv::Mat1w border_strength(const cv::Mat3b& photo);
+// 16 to a level of `lab` (image/lab.h), of its size: colour's gradient at two scales, and how far a pixel lies in a
+// dark gap.
+cv::Mat1w border_strength(const cv::Mat3b& lab);
 
 }  // namespace tessera::pebbles

@@ -9,10 +9,9 @@
 namespace tessera::pebbles {
 namespace {
 
-constexpr double kRim = 1;              // px: pixels of an outline are half ground
-constexpr double kSmallest = 1.0 / 12;  // of a pebble's radius: finer shading is grain
-constexpr double kLargest = 1.0 / 2;    // coarser shading is the pebble's own roundness
-constexpr double kFullShade = 48;       // levels of brightness that stand out by the whole height
+constexpr double kRim = 1;         // px: pixels of an outline are half ground
+constexpr int kFlank = 3;          // px around a pebble
+constexpr double kFullShade = 48;  // levels of brightness that stand out by the whole height
 
 cv::Mat3b pixels_of(Texture& texture) {
   return {texture.height, texture.width, reinterpret_cast<cv::Vec3b*>(texture.rgb.data())};
@@ -34,19 +33,21 @@ bool within(const cv::Mat1i& labels, int x, int y) {
 
 // 0 where a pixel is a pebble's and not on its rim, or the pebble is nothing but rim.
 cv::Mat1b colours_to_spread(const cv::Mat1i& labels) {
+  cv::Mat1b spread(labels.size());
+  cv::parallel_for_({0, labels.rows}, [&](const cv::Range& rows) {
+    for (int y = rows.start; y < rows.end; ++y)
+      for (int x = 0; x < labels.cols; ++x) spread(y, x) = labels(y, x) > 0 && within(labels, x, y) ? 0 : 255;
+  });
   double most = 0;
   cv::minMaxIdx(labels, nullptr, &most);
   std::vector<char> only_rim(static_cast<std::size_t>(most) + 1, 1);
-  cv::Mat1b spread(labels.size(), 255);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (labels(y, x) > 0 && within(labels, x, y)) {
-        spread(y, x) = 0;
-        only_rim[static_cast<std::size_t>(labels(y, x))] = 0;
-      }
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (labels(y, x) > 0 && only_rim[static_cast<std::size_t>(labels(y, x))]) spread(y, x) = 0;
+  const auto each = [&](const auto& visit) {
+    for (int y = 0; y < labels.rows; ++y)
+      for (int x = 0; x < labels.cols; ++x)
+        if (const int label = labels(y, x); label > 0) visit(spread(y, x), only_rim[static_cast<std::size_t>(label)]);
+  };
+  each([](std::uint8_t& v, char& rim_only) { rim_only &= v != 0; });
+  each([](std::uint8_t& v, char& rim_only) { v = rim_only ? 0 : v; });
   return spread;
 }
 
@@ -118,6 +119,7 @@ Texture pebbles_texture(const ImageView& photo, const cv::Mat1i& labels) {
   Texture texture = photo_texture(photo);
   const cv::Mat1b spread = colours_to_spread(labels);
   std::vector<cv::Point> sources;  // numbered as distanceTransform numbers the zeros, from 1
+  sources.reserve(spread.total() - static_cast<std::size_t>(cv::countNonZero(spread)));
   for (int y = 0; y < spread.rows; ++y)
     for (int x = 0; x < spread.cols; ++x)
       if (spread(y, x) == 0) sources.emplace_back(x, y);
@@ -128,20 +130,26 @@ Texture pebbles_texture(const ImageView& photo, const cv::Mat1i& labels) {
   cv::distanceTransform(spread, distance, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
   cv::Mat3b pixels = pixels_of(texture);
   const cv::Mat3b colours = photo.mat();
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (labels(y, x) == 0) pixels(y, x) = colours(sources[static_cast<std::size_t>(nearest(y, x) - 1)]);
+  cv::parallel_for_({0, labels.rows}, [&](const cv::Range& rows) {
+    for (int y = rows.start; y < rows.end; ++y)
+      for (int x = 0; x < labels.cols; ++x)
+        if (labels(y, x) == 0) pixels(y, x) = colours(sources[static_cast<std::size_t>(nearest(y, x) - 1)]);
+  });
   return texture;
 }
 
 Texture ground_texture(const ImageView& photo, const cv::Mat1i& labels) {
+  // Beside a pebble the photo shows its flank and its shadow rather than the ground.
+  cv::Mat1b covered = labels > 0, wider;
+  cv::dilate(covered, wider, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kFlank + 1, 2 * kFlank + 1}));
+  if (cv::countNonZero(wider) < static_cast<int>(wider.total())) covered = wider;
+
   Holed picture(labels.size());
   const cv::Mat3b pixels = photo.mat();
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x) {
       const cv::Vec3b& v = pixels(y, x);
-      picture(y, x) = {v[0], v[1], v[2],
-                       static_cast<std::uint8_t>(labels(y, x) == 0 && within(labels, x, y) ? 255 : 0)};
+      picture(y, x) = {v[0], v[1], v[2], static_cast<std::uint8_t>(255 - covered(y, x))};
     }
   fill_holes(picture);
   Texture texture = empty_texture(labels.size());
@@ -168,8 +176,8 @@ double Shading::mean(Point place, double radius) const {
   return sum / (static_cast<double>(right - left) * (bottom - top));
 }
 
-double Shading::height(Point place, double radius) const {
-  const double brighter = mean(place, kSmallest * radius) - mean(place, kLargest * radius);
+double Shading::height(Point place, double least, double most) const {
+  const double brighter = mean(place, least) - mean(place, most);
   return std::clamp(brighter / kFullShade, -1.0, 1.0);
 }
 
@@ -179,9 +187,7 @@ Texture normals_texture(const Shading& shading, const cv::Mat1i& labels, const s
   cv::parallel_for_({0, labels.rows}, [&](const cv::Range& rows) {
     for (int y = rows.start; y < rows.end; ++y)
       for (int x = 0; x < labels.cols; ++x)
-        if (labels(y, x) > 0)
-          heights(y, x) =
-              static_cast<float>(bumps_at(x, y).height * shading.height({x + 0.5, y + 0.5}, bumps_at(x, y).radius));
+        if (labels(y, x) > 0) heights(y, x) = static_cast<float>(bumps_at(x, y).at({x + 0.5, y + 0.5}, shading));
   });
   // Across a pebble's border there is no slope.
   const auto slope = [&](int x, int y, int dx, int dy) {

@@ -29,17 +29,18 @@ class Shading {
  public:
   Shading() = default;
   explicit Shading(const Texture& texture);
-  // -1..1 at a place in pixels, on a pebble of that radius (px).
-  double height(Point place, double radius) const;
+  // -1..1 at a place in pixels: the mean within `least` px against that within `most` px, squares of twice that side.
+  double height(Point place, double least, double most) const;
 
  private:
   double mean(Point place, double radius) const;
   cv::Mat1d sums_;  // of brightness, above and left of each corner of the pixels
 };
 
-// What is told of a pebble where its normals are made: its radius and how far shading of 1 stands out, in px.
+// Bumps of a pebble, in px: sizes of shading from `least` to `most` are bumps, shading of 1 stands out by `height`.
 struct Bumps {
-  double radius = 1, height = 0;
+  double least = 1, most = 1, height = 0;
+  double at(Point place, const Shading& shading) const { return height * shading.height(place, least, most); }
 };
 
 // Normals in tangent space (x right, y up the picture, z out of it) of the bumps; `bumps` by label.

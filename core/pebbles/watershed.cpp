@@ -1,5 +1,6 @@
 #include "tessera/pebbles/watershed.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -7,121 +8,96 @@
 namespace tessera::pebbles {
 namespace {
 
-// Pixel indices in the order of their strengths.
-std::vector<int> lowest_first(const cv::Mat1w& strength) {
-  std::vector<int> start(65537, 0);
-  for (const std::uint16_t s : strength) ++start[s + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<int> order(strength.total());
-  int pixel = 0;
-  for (const std::uint16_t s : strength) order[start[s]++] = pixel++;
-  return order;
+// The lowest pixel among (y, x) and its four neighbours, as an index.
+int downhill(const cv::Mat1w& strength, int y, int x) {
+  const int own = y * strength.cols + x;
+  int lowest = own;
+  int level = strength(y, x);
+  const auto look = [&](int neighbour, int at) {
+    if (at < level || (at == level && neighbour < lowest)) lowest = neighbour, level = at;
+  };
+  if (y > 0) look(own - strength.cols, strength(y - 1, x));
+  if (x > 0) look(own - 1, strength(y, x - 1));
+  if (x + 1 < strength.cols) look(own + 1, strength(y, x + 1));
+  if (y + 1 < strength.rows) look(own + strength.cols, strength(y + 1, x));
+  return lowest;
 }
 
-class Immersion {
- public:
-  Immersion(const cv::Mat1w& strength, int depth)
-      : width_(strength.cols), height_(strength.rows), depth_(depth), strength_(strength.ptr<std::uint16_t>()) {
-    basin_.assign(strength.total(), kDry);
-  }
+int root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
 
-  void flood(const std::vector<int>& order) {
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-      const int level = strength_[order[begin]];
-      while (end < order.size() && strength_[order[end]] == level) ++end;
-      // What touches water first, then inwards; what is left are new valleys.
-      for (std::size_t k = begin; k < end; ++k)
-        if (basin_[order[k]] == kDry && wet_neighbour(order[k]) != kDry) wet(order[k], level);
-      spread(level);
-      for (std::size_t k = begin; k < end; ++k) {
-        if (basin_[order[k]] != kDry) continue;
-        parent_.push_back(static_cast<int>(parent_.size()));
-        lowest_.push_back(level);
-        basin_[order[k]] = parent_.back();
-        queue_.push_back(order[k]);
-        spread(level);
-      }
+// A basin for each pixel from which no water runs on; `lowest` takes their levels.
+Basins catchments(const cv::Mat1w& strength, std::vector<int>& lowest) {
+  const int pixels = static_cast<int>(strength.total());
+  std::vector<int> parent(pixels);
+  cv::parallel_for_({0, strength.rows}, [&](const cv::Range& rows) {
+    for (int y = rows.start; y < rows.end; ++y)
+      for (int x = 0; x < strength.cols; ++x) parent[y * strength.cols + x] = downhill(strength, y, x);
+  });
+  Basins basins{cv::Mat1i(strength.size(), -1), 0};
+  int* const label = basins.labels.ptr<int>();
+  const std::uint16_t* const level = strength.ptr<std::uint16_t>();
+  for (int p = 0; p < pixels; ++p) {
+    const int end = root(parent, p);
+    if (label[end] < 0) {
+      label[end] = basins.count++;
+      lowest.push_back(level[end]);
     }
+    label[p] = label[end];
   }
+  return basins;
+}
 
-  Basins basins() {
-    Basins out{cv::Mat1i(height_, width_), 0};
-    std::vector<int> number(parent_.size(), -1);
-    int* label = out.labels.ptr<int>();
-    for (std::size_t p = 0; p < basin_.size(); ++p) {
-      int& n = number[root(basin_[p])];
-      if (n < 0) n = out.count++;
-      label[p] = n;
-    }
-    return out;
-  }
-
- private:
-  static constexpr int kDry = -1;
-
-  template <class Visit>
-  void each_neighbour(int pixel, Visit&& visit) const {
-    const int x = pixel % width_;
-    if (pixel >= width_) visit(pixel - width_);
-    if (x > 0) visit(pixel - 1);
-    if (x + 1 < width_) visit(pixel + 1);
-    if (pixel + width_ < width_ * height_) visit(pixel + width_);
-  }
-
-  int root(int basin) {
-    while (parent_[basin] != basin) basin = parent_[basin] = parent_[parent_[basin]];
-    return basin;
-  }
-
-  int wet_neighbour(int pixel) const {
-    int found = kDry;
-    each_neighbour(pixel, [&](int n) {
-      if (found == kDry) found = basin_[n];
-    });
-    return found;
-  }
-
-  // Gives a pixel to a neighbour's basin, and joins the basins that meet there.
-  void wet(int pixel, int level) {
-    int own = kDry;
-    each_neighbour(pixel, [&](int n) {
-      if (basin_[n] == kDry) return;
-      const int other = root(basin_[n]);
-      if (own == kDry) {
-        own = other;
-      } else if (other != own) {
-        const int low = lowest_[own] <= lowest_[other] ? own : other, high = low == own ? other : own;
-        if (level - lowest_[high] >= depth_) return;
-        parent_[high] = low;
-        own = low;
-      }
-    });
-    basin_[pixel] = own;
-    queue_.push_back(pixel);
-  }
-
-  void spread(int level) {
-    for (std::size_t k = 0; k < queue_.size(); ++k)
-      each_neighbour(queue_[k], [&](int n) {
-        if (basin_[n] == kDry && strength_[n] == level) wet(n, level);
-      });
-    queue_.clear();
-  }
-
-  int width_, height_, depth_;
-  const std::uint16_t* strength_;
-  std::vector<int> basin_;   // of each pixel
-  std::vector<int> parent_;  // of each basin: itself, or the one it has flowed into
-  std::vector<int> lowest_;  // level of each basin
-  std::vector<int> queue_;
+// Two basins that meet, and the height of the ridge between them there.
+struct Pass {
+  int a, b, level;
 };
+
+// Lowest first.
+std::vector<Pass> passes(const Basins& basins, const cv::Mat1w& strength) {
+  std::vector<Pass> all;
+  const cv::Mat1i& labels = basins.labels;
+  const auto meet = [&](int y, int x, int v, int u) {
+    if (labels(y, x) != labels(v, u))
+      all.push_back({labels(y, x), labels(v, u), std::max<int>(strength(y, x), strength(v, u))});
+  };
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      if (x + 1 < labels.cols) meet(y, x, y, x + 1);
+      if (y + 1 < labels.rows) meet(y, x, y + 1, x);
+    }
+  std::vector<std::size_t> start(65537, 0);
+  for (const Pass& pass : all) ++start[pass.level + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Pass> sorted(all.size());
+  for (const Pass& pass : all) sorted[start[pass.level]++] = pass;
+  return sorted;
+}
 
 }  // namespace
 
 Basins watershed(const cv::Mat1w& strength, int depth) {
-  Immersion immersion(strength, depth);
-  immersion.flood(lowest_first(strength));
-  return immersion.basins();
+  std::vector<int> lowest;
+  Basins basins = catchments(strength, lowest);
+  std::vector<int> joined(basins.count);  // what each basin has flowed into
+  std::iota(joined.begin(), joined.end(), 0);
+  for (const Pass& pass : passes(basins, strength)) {
+    const int a = root(joined, pass.a), b = root(joined, pass.b);
+    if (a == b) continue;
+    const int deep = lowest[a] <= lowest[b] ? a : b, shallow = deep == a ? b : a;
+    if (pass.level - lowest[shallow] < depth) joined[shallow] = deep;
+  }
+  std::vector<int> number(basins.count, -1);
+  int count = 0;
+  for (int& label : basins.labels) {
+    int& n = number[root(joined, label)];
+    if (n < 0) n = count++;
+    label = n;
+  }
+  basins.count = count;
+  return basins;
 }
 
 }  // namespace tessera::pebbles

@@ -10,8 +10,9 @@ struct Basins {
   int count = 0;
 };
 
-// Immersion (Vincent and Soille 1991), lowest pixels first, without pixels for the dams; basins less than `depth`
-// deep flow into the neighbour over which they first spill. 4-connected.
+// From each pixel water runs to the lowest of its four neighbours, equal ones to the first in reading order; where it
+// ends is a basin. Basins less than `depth` deep then join the neighbour over which they first spill, the shallower
+// one the deeper (their dynamics: Grimaud 1992).
 Basins watershed(const cv::Mat1w& strength, int depth);
 
 }  // namespace tessera::pebbles

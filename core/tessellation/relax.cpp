@@ -79,19 +79,18 @@ class Relaxer {
   // Undoes the moves of tangled pieces, until none is left that undoing helps.
   void untangle(std::vector<char>& flat) {
     std::vector<char> undone(map_.vertices.size(), 0), tangled(map_.cells());
-    const auto each_cell = [&](const auto& visit) {
-      cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
-        for (int cell = range.start; cell < range.end; ++cell) visit(cell);
-      });
-    };
     const auto undo_tangled = [&] {
       bool undid = false;
-      each_cell([&](int cell) { tangled[cell] = is_tangled(cell); });
+      cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
+        Ring corners;
+        for (int cell = range.start; cell < range.end; ++cell) tangled[cell] = is_tangled(cell, corners);
+      });
+      Ring corners;
       for (int cell = 0; cell < map_.cells(); ++cell) {
         const auto begin = map_.ring.begin() + map_.first[cell], end = map_.ring.begin() + map_.first[cell + 1];
         // Undoing the moves of a neighbour may have mended it, or spoilt it.
         const bool changed = std::any_of(begin, end, [&](int v) { return undone[v] != 0; });
-        if (!(changed ? is_tangled(cell) : tangled[cell] != 0)) continue;
+        if (!(changed ? is_tangled(cell, corners) : tangled[cell] != 0)) continue;
         for (auto v = begin; v != end; ++v) {
           if (undone[*v]) continue;
           undone[*v] = 1;
@@ -107,8 +106,10 @@ class Relaxer {
     do {
       while (undo_tangled()) {
       }
-      each_cell([&](int cell) {
-        while (keep_straight(cell, flat)) {
+      cv::parallel_for_({0, map_.cells()}, [&](const cv::Range& range) {
+        for (int cell = range.start; cell < range.end; ++cell) {
+          while (keep_straight(cell, flat)) {
+          }
         }
       });
     } while (undo_tangled());
@@ -137,9 +138,10 @@ class Relaxer {
     return changed;
   }
 
-  // Corners that cross or coincide, or an outline turned over.
-  bool is_tangled(int cell) const {
-    Ring ring;
+  // Corners that cross or coincide, or an outline turned over. `ring` is memory to work in: to get some for each
+  // cell, threads would have to queue.
+  bool is_tangled(int cell, Ring& ring) const {
+    ring.clear();
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot)
       if (!flat_[slot]) ring.push_back(map_.at(slot));
     bool convex = true;

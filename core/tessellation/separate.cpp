@@ -108,24 +108,31 @@ Ring unfolded(Ring ring) {
   return is_outline(ring) ? ring : Ring{};
 }
 
+// A thread's memory to work in; to get some for each piece, threads would have to queue.
+struct Scratch {
+  Ring corners, whole;
+};
+
 // The corners if they make an outline, else all vertices, unfolded if need be.
-Ring first_outline(Ring corners, Ring whole, double half_side) {
-  if (is_outline(corners)) return corners;
-  merge_touching(whole, kTouching * half_side);
-  return unfolded(std::move(whole));
+Ring first_outline(Scratch& scratch, double half_side) {
+  if (is_outline(scratch.corners)) return scratch.corners;
+  merge_touching(scratch.whole, kTouching * half_side);
+  return unfolded(scratch.whole);
 }
 
-Ring separate_piece(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg) {
+Ring separate_piece(const Tessellation& t, const std::vector<char>& flat, int cell, double widest_deg,
+                    Scratch& scratch) {
   const double half_side = t.half_side[cell];
-  Ring corners, whole;
+  scratch.corners.clear();
+  scratch.whole.clear();
   for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
-    whole.push_back(t.map.at(slot));
-    if (!flat[slot]) corners.push_back(t.map.at(slot));
+    scratch.whole.push_back(t.map.at(slot));
+    if (!flat[slot]) scratch.corners.push_back(t.map.at(slot));
   }
-  merge_touching(corners, kTouching * half_side);
-  drop_tiny_sides(corners, kTinySide * half_side);
-  drop_wide_corners(corners, widest_deg);
-  Ring piece = first_outline(std::move(corners), std::move(whole), half_side);
+  merge_touching(scratch.corners, kTouching * half_side);
+  drop_tiny_sides(scratch.corners, kTinySide * half_side);
+  drop_wide_corners(scratch.corners, widest_deg);
+  Ring piece = first_outline(scratch, half_side);
   complete_triangle(piece);
   return piece;
 }
@@ -135,9 +142,21 @@ Ring separate_piece(const Tessellation& t, const std::vector<char>& flat, int ce
 std::vector<Ring> separate_pieces(const Tessellation& t, const std::vector<char>& flat, double wide_angle) {
   std::vector<Ring> pieces(t.cells());
   cv::parallel_for_({0, t.cells()}, [&](const cv::Range& range) {
-    for (int cell = range.start; cell < range.end; ++cell) pieces[cell] = separate_piece(t, flat, cell, wide_angle);
+    Scratch scratch;
+    for (int cell = range.start; cell < range.end; ++cell)
+      pieces[cell] = separate_piece(t, flat, cell, wide_angle, scratch);
   });
   return pieces;
+}
+
+Ring rounded_outline(const Ring& ring, double parts) {
+  Ring rounded;
+  for (const Point p : ring) rounded.push_back({std::round(p.x * parts) / parts, std::round(p.y * parts) / parts});
+  if (is_outline(rounded)) return rounded;
+  merge_touching(rounded, 0.5 / parts);
+  rounded = unfolded(std::move(rounded));
+  if (ring.size() > 3) complete_triangle(rounded);
+  return rounded;
 }
 
 void shrink(Ring& ring, double grout, double half_side) {

@@ -13,6 +13,10 @@ namespace tessera {
 // cell is left.
 std::vector<Ring> separate_pieces(const Tessellation& t, const std::vector<char>& flat, double wide_angle);
 
+// The ring with coordinates rounded to multiples of 1 / `parts`, and still an outline: vertices that this lays upon
+// another side are left out, a ring of four or more keeps four. Empty where nothing is left.
+Ring rounded_outline(const Ring& ring, double parts);
+
 // Moves each vertex towards the centre of mass by half of the grout, less for pieces smaller than others. Lengths in
 // source pixels.
 void shrink(Ring& ring, double grout, double half_side);

@@ -105,6 +105,17 @@ for (const isolated of [true, false]) {
   });
 }
 
+test('where the engine with threads cannot start, the one without takes over', async () => {
+  const scripts = { '**/tessera-threads.mjs': 'export default () => Promise.reject(new Error("no threads today"));' };
+  await withApp({ isolated: true, scripts }, async (app, page) => {
+    await app.finished();
+    assert.equal(await app.threads(), 1);
+    assert.equal(await page.evaluate(() => window.tessera.isolated), true);
+    assert.equal(await page.getByRole('alert').count(), 0);
+    await app.generate();
+  });
+});
+
 test('parameters are undone, redone and kept in the address', async () => {
   await withApp({ isolated: true }, async (app, page) => {
     await app.finished();

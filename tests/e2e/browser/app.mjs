@@ -9,13 +9,18 @@ export const root = fileURLToPath(new URL('../../..', import.meta.url));
 const site = `${root}/web/dist`;
 const patience = { timeout: 120_000 };
 
-/** Opens the app and hands it to `use`; afterwards there may be no complaint on its console and no request abroad. */
-export async function withApp({ isolated, viewport = { width: 1440, height: 900 }, hash = '', ...options }, use) {
+/**
+ * Opens the app and hands it to `use`; afterwards there may be no complaint on its console and no request abroad.
+ * `scripts`: what the page gets in the place of the site's, by their addresses.
+ */
+export async function withApp({ isolated, viewport = { width: 1440, height: 900 }, hash = '', scripts = {}, ...options }, use) {
   const host = await serve({ '/': site }, { isolated });
   const browser = await launch();
   const complaints = [];
   try {
     const context = await browser.newContext({ viewport, acceptDownloads: true, ...options });
+    for (const [address, body] of Object.entries(scripts))
+      await context.route(address, (route) => route.fulfill({ contentType: 'text/javascript', body }));
     context.on('request', (request) => {
       if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(host.address))
         complaints.push(`a request to ${request.url()}`);

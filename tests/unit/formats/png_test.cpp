@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "animation.h"
 #include "sheets.h"
 #include "tessera/formats/coverage.h"
 #include "tessera/formats/formats.h"
@@ -177,6 +178,32 @@ TEST(WritePng, ResolutionFollowsTheWidth) {
     EXPECT_EQ(state.info_png.phys_unit, 1U);
     EXPECT_EQ(state.info_png.phys_x, static_cast<unsigned>(2000 * scale));
   }
+}
+
+TEST(WriteApng, TheSheetComesFirstThenTheFrames) {
+  const PieceSheet sheet = two_stones();
+  std::vector<Raster> frames(3, {31, 17, 3, 8, std::vector<std::uint8_t>(std::size_t{31} * 17 * 3)});
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    for (std::size_t i = 0; i < frames[k].bytes.size(); ++i)
+      frames[k].bytes[i] = static_cast<std::uint8_t>(i * 7 + k * 40);
+  const std::string file = write_apng(sheet, frames);
+  const Animation animation = read_animation(file);
+  ASSERT_EQ(animation.frames.size(), 4u);
+  EXPECT_EQ(animation.promised, 4u);
+  EXPECT_EQ(animation.hundredths, (std::vector<unsigned>{200, 10, 10, 10}));
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    EXPECT_EQ(animation.frames[k + 1], std::string(frames[k].bytes.begin(), frames[k].bytes.end())) << k;
+  const Picture still = decoded(file);  // as a program sees it that knows no animation
+  EXPECT_EQ(still.width, 31u);
+  EXPECT_EQ(still.height, 17u);
+  EXPECT_EQ(animation.frames[0], std::string(still.rgb.begin(), still.rgb.end()));
+}
+
+TEST(WriteApng, WithoutFramesItIsTheSheet) {
+  const PieceSheet sheet = two_stones();
+  const std::string file = write_apng(sheet, {}, 2);
+  EXPECT_EQ(read_animation(file).frames.size(), 1u);
+  EXPECT_EQ(decoded(file).rgb, decoded(write_png(sheet, 2)).rgb);
 }
 
 }  // namespace

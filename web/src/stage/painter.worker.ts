@@ -9,6 +9,7 @@ const scene = new Scene();
 let context: Context | null = null;
 let waiting = false;
 let described = -1;
+let shown = false;
 
 const tell = (message: FromPainter) => scope.postMessage(message);
 
@@ -20,6 +21,10 @@ function refresh(): void {
     if (!context) return;
     describe();
     if (scene.draw(context, Math.max(time, performance.now()))) refresh();
+    if (!shown && scene.hasPicture) {
+      shown = true;
+      scope.requestAnimationFrame(() => tell({ type: 'shown' }));
+    }
   });
 }
 

@@ -26,6 +26,11 @@ export class Scene {
   private dropped = 0;
   private readonly cache = new StoneCache();
 
+  /** Whether draw() draws it. */
+  get hasPicture(): boolean {
+    return Boolean(this.source && this.look);
+  }
+
   take(message: EngineToPainter): void {
     if (message.type === 'source') return this.takeSource(message);
     if (message.id <= this.dropped) return;

@@ -98,4 +98,7 @@ export interface PieceFacts {
   orientation: number;
 }
 
-export type FromPainter = { type: 'piece'; piece: PieceFacts | null };
+export type FromPainter =
+  | { type: 'piece'; piece: PieceFacts | null }
+  /** The first picture has been drawn, and the frame with it is over. */
+  | { type: 'shown' };

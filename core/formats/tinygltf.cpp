@@ -1,3 +1,0 @@
-// The library's own code, compiled once.
-#define TINYGLTF_IMPLEMENTATION
-#include <tiny_gltf.h>
