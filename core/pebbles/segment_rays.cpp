@@ -23,16 +23,28 @@ std::vector<cv::Point> samples_of(const Mask& mask, cv::Size size) {
   return samples;
 }
 
-// Gives the slice's pixels that no other has; returns them.
-std::vector<cv::Point> paint(const Pebble& slice, int label, cv::Mat1i& labels) {
-  std::vector<cv::Point> pixels;
-  each_run(outline(slice), labels.cols, labels.rows, [&](int y, int begin, int end) {
+// Floods the slice from its origin, up to the curve and to the edges within, so that a pebble that the curve runs
+// across is left for samples of its own; returns the pixels.
+std::vector<cv::Point> flood(const Slice& slice, int label, const Mask& mask, cv::Mat1i& labels) {
+  constexpr int kEnclosed = -1;
+  std::vector<cv::Point> enclosed, pixels;
+  each_run(outline(slice.shape), labels.cols, labels.rows, [&](int y, int begin, int end) {
     for (int x = begin; x < end; ++x) {
       if (labels(y, x) != 0) continue;
-      labels(y, x) = label;
-      pixels.emplace_back(x, y);
+      labels(y, x) = kEnclosed;
+      enclosed.emplace_back(x, y);
     }
   });
+  const auto take = [&](int y, int x) {
+    if (labels(y, x) != kEnclosed) return;
+    labels(y, x) = label;
+    pixels.emplace_back(x, y);
+  };
+  take(slice.origin.y, slice.origin.x);
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+    if (const cv::Point p = pixels[k]; mask.free(p)) each_neighbour(labels, p.y, p.x, take);
+  for (const cv::Point p : enclosed)
+    if (labels(p) == kEnclosed) labels(p) = 0;
   return pixels;
 }
 
@@ -50,9 +62,9 @@ Result<cv::Mat1i> slices_of(const cv::Mat1b& edges, const RunContext& context) {
       context.progress(0.1 + 0.4 * static_cast<double>(k) / static_cast<double>(samples.size()));
     }
     if (!mask.free(samples[k])) continue;  // enclosed by now
-    if (const std::optional<Pebble> slice = find_slice(mask, samples[k])) mask.fill(paint(*slice, ++count, labels));
+    if (const std::optional<Slice> slice = find_slice(mask, samples[k]))
+      mask.fill(flood(*slice, ++count, mask, labels));
   }
-  keep_largest_parts(labels, count);
   return labels;
 }
 

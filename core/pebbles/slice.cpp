@@ -141,25 +141,24 @@ Ring closed(const std::vector<Vertex>& vertices) {
   return ring;
 }
 
-std::optional<Pebble> find_slice(const Mask& mask, cv::Point from) {
+std::optional<Slice> find_slice(const Mask& mask, cv::Point from) {
   Ring ring;
+  cv::Point origin = from;
   for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<Vertex> vertices = edges_around(mask, from);
     if (vertices.empty()) return {};
     ring = closed(vertices);
+    origin = from;
     Ring known;
     for (const Vertex& v : vertices) known.push_back(v.place);
-    const cv::Point centre = pixel_of(centroid(known));
+    from = pixel_of(centroid(known));
     // On an edge, of texture say, no ray can begin: the curve is what it was.
-    if (centre == from || !mask.inside(centre) || !mask.free(centre)) break;
-    from = centre;
+    if (from == origin || !mask.inside(from) || !mask.free(from)) break;
   }
-  Pebble slice;
-  slice.centre = centroid(ring);
-  std::optional<std::vector<double>> radii = radii_of(ring, slice.centre);
+  const Point centre = centroid(ring);
+  std::optional<std::vector<double>> radii = radii_of(ring, centre);
   if (!radii) return {};
-  slice.radii = *std::move(radii);
-  return slice;
+  return Slice{{0, centre, *std::move(radii), 0}, origin};
 }
 
 }  // namespace tessera::pebbles

@@ -22,8 +22,13 @@ std::vector<Vertex> edges_around(const Mask& mask, cv::Point from);
 // P with its gaps filled.
 Ring closed(const std::vector<Vertex>& vertices);
 
-// The slice around a free pixel, its centre where it comes to rest: id and area 0, 360 radii. None where the edges
-// around are too few or the curve does not go around its centre.
-std::optional<Pebble> find_slice(const Mask& mask, cv::Point from);
+struct Slice {
+  Pebble shape;      // id and area 0, 360 radii
+  cv::Point origin;  // the free pixel whose rays it was made of
+};
+
+// The slice around a free pixel, from where its centre comes to rest. None where the edges around are too few or the
+// curve does not go around its centre.
+std::optional<Slice> find_slice(const Mask& mask, cv::Point from);
 
 }  // namespace tessera::pebbles
