@@ -16,9 +16,12 @@ namespace {
 
 constexpr int kAround = 3;               // px: width of what lies around a pebble
 constexpr double kGrainSigma = 1.5;      // px: what is finer is grain
-constexpr double kLeastSolid = 0.7;     // area against that of the convex hull
+constexpr double kLeastSolid = 0.7;      // area against that of the convex hull
 constexpr double kLeastSolidDark = 0.9;  // of what is darker than what is around: mostly a gap between pebbles
-constexpr int kFiner = 16;               // parts of a level
+constexpr int kBeside = 2;               // px: from the border to where colours are compared across it
+constexpr int kLeastChange = 10;         // levels, all channels together: less is none
+constexpr double kMostOpen = 0.35;  // of its border: what is more open is a part of something larger, as the ground
+constexpr int kFiner = 16;          // parts of a level
 
 // Sums over pixels of Lab, in parts of a level.
 struct Tone {
@@ -35,7 +38,8 @@ struct Tone {
 
 struct Surface {
   Tone inside, around;
-  std::int64_t grain = 0;  // sum of differences from the smoothed picture
+  std::int64_t grain = 0;    // sum of differences from the smoothed picture
+  int border = 0, open = 0;  // sides of pixels along the border; those across which nothing changes
   // Difference between the mean colours against the mean grain of the surface.
   bool darker_than_around() const { return inside.mean(0) < around.mean(0); }
   double distinctness() const {
@@ -53,9 +57,16 @@ int sum_of_differences(const cv::Vec3w& a, const cv::Vec3w& b) {
 
 // From the border between two pixels `step` apart, the pixels that follow are around the label before it, and the
 // other way round.
-void add_around(const cv::Mat3w& lab, const cv::Mat1i& labels, cv::Point after, cv::Point step,
-                std::vector<Surface>& surfaces) {
+void add_around(const cv::Mat3w& lab, const cv::Mat3w& smooth, const cv::Mat1i& labels, cv::Point after,
+                cv::Point step, std::vector<Surface>& surfaces) {
   const cv::Rect all({0, 0}, labels.size());
+  const cv::Point here = after - (1 + kBeside) * step, there = after + kBeside * step;
+  const bool changes = all.contains(here) && all.contains(there) &&
+                       sum_of_differences(smooth(here), smooth(there)) >= kLeastChange * kFiner;
+  for (const cv::Point side : {after - step, after}) {
+    ++surfaces[labels(side)].border;
+    surfaces[labels(side)].open += changes ? 0 : 1;
+  }
   const auto add = [&](int label, cv::Point pixel, cv::Point onwards) {
     for (int d = 0; label != 0 && d < kAround && all.contains(pixel); ++d, pixel += onwards)
       if (labels(pixel) != label) surfaces[label].around.add(lab(pixel));
@@ -76,8 +87,8 @@ std::vector<Surface> surfaces_of(const cv::Mat3b& lab, const cv::Mat1i& labels) 
       Surface& own = surfaces[labels(y, x)];
       own.inside.add(finer(y, x));
       own.grain += sum_of_differences(finer(y, x), smooth(y, x));
-      if (x > 0 && labels(y, x) != labels(y, x - 1)) add_around(finer, labels, {x, y}, {1, 0}, surfaces);
-      if (y > 0 && labels(y, x) != labels(y - 1, x)) add_around(finer, labels, {x, y}, {0, 1}, surfaces);
+      if (x > 0 && labels(y, x) != labels(y, x - 1)) add_around(finer, smooth, labels, {x, y}, {1, 0}, surfaces);
+      if (y > 0 && labels(y, x) != labels(y - 1, x)) add_around(finer, smooth, labels, {x, y}, {0, 1}, surfaces);
     }
   return surfaces;
 }
@@ -93,6 +104,7 @@ void drop_indistinct(const cv::Mat3b& lab, const Params& params, cv::Mat1i& labe
     const double solidity = area / hulls[label];
     const bool is_gap = surfaces[label].darker_than_around() && solidity < kLeastSolidDark;
     if (4 * area >= kPi * params.smallest * params.smallest && solidity >= kLeastSolid && !is_gap &&
+        surfaces[label].open <= kMostOpen * surfaces[label].border &&
         surfaces[label].distinctness() >= params.contrast)
       number[label] = static_cast<int>(label);
   }
