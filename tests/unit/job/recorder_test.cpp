@@ -29,8 +29,8 @@ TEST(Recorder, CellsHaveThePicturesColoursAndDarkBorders) {
   ASSERT_EQ(frames[0].width, 8);
   ASSERT_EQ(frames[0].height, 2);
   const std::vector<int> reds = {200, 200, 200, 125, 0, 0, 0, 0};
-  for (int x = 0; x < 8; ++x) EXPECT_EQ(frames[0].rgb[3 * x], reds[x]) << x;
-  EXPECT_EQ(frames[0].rgb[3 * 7 + 2], 160);
+  for (int x = 0; x < 8; ++x) EXPECT_EQ(frames[0].bytes[3 * x], reds[x]) << x;
+  EXPECT_EQ(frames[0].bytes[3 * 7 + 2], 160);
 }
 
 TEST(Recorder, ManyIterationsAreThinnedOut) {
