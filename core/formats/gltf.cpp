@@ -29,7 +29,17 @@ constexpr int kVertices = 34962, kTriangles = 34963;
 constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kClampToEdge = 33071, kMirroredRepeat = 33648;
 constexpr std::uint32_t kGlb = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
-enum class Attribute { kPosition, kNormal, kTangent, kTextureCoordinate, kIndex, kTranslation, kRotation, kScale };
+enum class Attribute {
+  kPosition,
+  kNormal,
+  kTangent,
+  kTextureCoordinate,
+  kColour,
+  kIndex,
+  kTranslation,
+  kRotation,
+  kScale
+};
 
 bool is_vertex(Attribute attribute) { return attribute < Attribute::kIndex; }
 
@@ -207,6 +217,7 @@ class Document {
     if (!mesh.tangents.empty()) attributes.add("\"TANGENT\":{}", add_directions(Attribute::kTangent, mesh.tangents));
     if (!mesh.texture_coordinates.empty())
       attributes.add("\"TEXCOORD_0\":{}", add_texture_coordinates(mesh.texture_coordinates));
+    if (!mesh.colours.empty()) attributes.add("\"COLOR_0\":{}", add_colours(mesh.colours));
     const std::string material = mesh.surface < 0 ? "" : fmt::format(",\"material\":{}", mesh.surface);
     const std::string name = mesh.name.empty() ? "" : fmt::format("\"name\":\"{}\",", mesh.name);
     meshes_.add(R"({{{}"primitives":[{{"attributes":{{{}}},"indices":{}{}}}]}})", name, attributes.text(),
@@ -242,6 +253,20 @@ class Document {
     if (!scene_.quantize || !std::all_of(values.begin(), values.end(), on_texture))
       return add_floats(Attribute::kTextureCoordinate, values);
     return add_vectors<std::uint16_t>(Attribute::kTextureCoordinate, kUnsignedShort, values, kTopUnsigned16);
+  }
+
+  // Linear light, of which 8 bits are too few in the dark.
+  int add_colours(const std::vector<Rgb>& colours) {
+    return add_accessor(Attribute::kColour, kUnsignedShort, "VEC3", 8, colours.size(), ",\"normalized\":true",
+                        [&colours](std::string& bytes) {
+                          const auto light = [](std::uint8_t level) {
+                            return static_cast<std::uint16_t>(linear_light()[level]);
+                          };
+                          for (const Rgb c : colours) {
+                            const std::array<std::uint16_t, 4> value{light(c.r), light(c.g), light(c.b), 0};
+                            append(bytes, value.data(), value.size());
+                          }
+                        });
   }
 
   // A list that meshes share is written once.

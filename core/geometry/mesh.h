@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tessera/base/colour.h"
+
 namespace tessera {
 
 // A list that many meshes may have in common; it does not change.
@@ -21,6 +23,7 @@ struct Mesh {
   std::vector<glm::vec3> normals;              // of length 1
   std::vector<glm::vec2> texture_coordinates;  // 0..1 across the texture, v down
   std::vector<glm::vec4> tangents;             // towards growing u, of length 1; w: +-1, the bitangent's sign
+  std::vector<Rgb> colours;                    // times those of the surface
   Indices indices;                             // three a triangle, counter-clockwise from outside
   int surface = -1;                            // index into Scene::surfaces
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tessera/formats/formats.h"
+#include "tessera/geometry/extrude.h"
 #include "tessera/job/job_json.h"
 #include "tessera/job/recorder.h"
 #include "tessera/job/techniques.h"
@@ -24,6 +25,11 @@ struct Format {
   std::string (*write)(const Outcome& outcome, double png_scale);
 };
 
+// A technique that makes no scene has its sheet's pieces as slabs.
+std::string in_3d(const Outcome& made, std::string (*write)(const Scene&)) {
+  return write(made.scene.views.empty() ? extruded(made.sheet) : made.scene);
+}
+
 const Format kFormats[] = {
     {"svg", "image/svg+xml", [](const Outcome& made, double) { return write_svg(made.sheet); }},
     {"dxf", "image/vnd.dxf", [](const Outcome& made, double) { return write_dxf(made.sheet); }},
@@ -31,8 +37,8 @@ const Format kFormats[] = {
     {"json", "application/geo+json", [](const Outcome& made, double) { return write_geojson(made.sheet); }},
     {"csv", "text/csv", [](const Outcome& made, double) { return write_csv(made.sheet); }},
     {"bom.csv", "text/csv", [](const Outcome& made, double) { return write_bill_csv(made.sheet); }},
-    {"glb", "model/gltf-binary", [](const Outcome& made, double) { return write_glb(made.scene); }},
-    {"gltf", "model/gltf+json", [](const Outcome& made, double) { return write_gltf(made.scene); }},
+    {"glb", "model/gltf-binary", [](const Outcome& made, double) { return in_3d(made, write_glb); }},
+    {"gltf", "model/gltf+json", [](const Outcome& made, double) { return in_3d(made, write_gltf); }},
     {"labels.png", "image/png",
      [](const Outcome& made, double) { return write_png(made.rasters.at("labels.png")()); }},
     {"overlay.png", "image/png",

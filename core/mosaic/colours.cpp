@@ -6,26 +6,13 @@
 #include <cstdint>
 #include <opencv2/core/utility.hpp>
 
+#include "tessera/base/colour.h"
 #include "tessera/geometry/scan.h"
 #include "tessera/image/palette.h"
 #include "tessera/mosaic/tile_palette.h"
 
 namespace tessera::mosaic {
 namespace {
-
-// Light of each sRGB level, 0 to 65535. Whole numbers: sums do not depend on their order or on the machine.
-const std::array<std::uint32_t, 256>& linear_light() {
-  static const std::array<std::uint32_t, 256> table = [] {
-    std::array<std::uint32_t, 256> light{};
-    for (int i = 0; i < 256; ++i) {
-      const double v = i / 255.0;
-      light[i] = static_cast<std::uint32_t>(
-          std::lround(65535 * (v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4))));
-    }
-    return light;
-  }();
-  return table;
-}
 
 std::uint8_t level_of(double light) {
   const auto& table = linear_light();

@@ -111,7 +111,7 @@ class UsageTest(CliTest):
         self.fail_with(2, 'pave', 'disc.png', says=['-o'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '--nonsense', says=['--nonsense'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '--half-side', says=['--half-side'])
-        self.fail_with(2, 'pave', 'disc.png', '-o', 'a.bmp', says=['a.bmp', 'expected svg, dxf, png, json, csv or apng'])
+        self.fail_with(2, 'pave', 'disc.png', '-o', 'a.bmp', says=['a.bmp', 'expected svg, dxf, png, json, csv, glb, gltf or apng'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a', says=['a: has no extension'])
         self.fail_with(2, 'pave', 'disc.png', '-o', '-', says=['--format'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '-o', 'a.svg', says=['two outputs'])

@@ -100,7 +100,7 @@ test('names every problem with its field', async () => {
   assert.throws(() => core.run(good), /drawing is missing/);
   core.setInput('drawing', disc(40).picture);
   core.run(good);
-  assert.throws(() => core.artifact('glb'), TesseraError);
+  assert.throws(() => core.artifact('labels.png'), TesseraError);
 });
 
 test('stops when it is told to', async () => {

@@ -109,6 +109,19 @@ TEST(WriteGlb, HoldsNodesMeshesAndTheirNumbers) {
   EXPECT_EQ(glb.value<std::uint16_t>(indices, 1, 0), 2);
 }
 
+TEST(WriteGlb, ColoursAreLinearLight) {
+  Scene scene = two_tetrahedra();
+  scene.meshes[1].colours = {{255, 0, 0}, {0, 128, 1}, {0, 0, 255}, {10, 10, 10}};
+  const Glb glb = parsed(write_glb(scene));
+  EXPECT_FALSE(glb.attributes(0).contains("COLOR_0"));
+  const int colours = glb.attributes(1)["COLOR_0"];
+  const json& accessor = glb.document["accessors"][static_cast<std::size_t>(colours)];
+  EXPECT_EQ(accessor["normalized"], true);
+  EXPECT_EQ(glb.value<std::uint16_t>(colours, 0, 0), 65535);
+  EXPECT_NEAR(glb.value<std::uint16_t>(colours, 1, 1) / 65535.0, 0.215861, 1e-5);  // IEC 61966-2-1
+  EXPECT_NEAR(glb.value<std::uint16_t>(colours, 1, 2) / 65535.0, 1 / 255.0 / 12.92, 1e-5);
+}
+
 TEST(WriteGlb, ListsOfTrianglesThatMeshesShareAreWrittenOnce) {
   const json d = parsed(write_glb(two_tetrahedra())).document;
   EXPECT_EQ(d["meshes"][0]["primitives"][0]["indices"], d["meshes"][1]["primitives"][0]["indices"]);

@@ -115,11 +115,11 @@ TEST_F(RunJobTest, ReportsAllProblemsTogether) {
   job_.params = pavement::Params{.half_side = 0, .colors = 1};
   job_.seed = kMaxSeed + 1;
   pictures_.clear();
-  const auto result = run({.formats = {"svg", "glb"}, .png_scale = -1});
+  const auto result = run({.formats = {"svg", "bom.csv"}, .png_scale = -1});
   ASSERT_FALSE(result.has_value());
   std::vector<std::string> fields;
   for (const Status& problem : result.error()) fields.push_back(problem.field);
-  EXPECT_THAT(fields, ElementsAre("halfSide", "colors", "seed", "glb", "pngScale", "drawing"));
+  EXPECT_THAT(fields, ElementsAre("halfSide", "colors", "seed", "bom.csv", "pngScale", "drawing"));
   EXPECT_EQ(result.error().front().code, StatusCode::kInvalidParameter);
   EXPECT_EQ(result.error().back().code, StatusCode::kInvalidInput);
 }
