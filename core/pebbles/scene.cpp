@@ -150,7 +150,7 @@ class Field {
       : world_(world),
         params_(params),
         photo_(photo),
-        size_(world.metres() * photo.width, world.metres() * photo.height) {}
+        size_{world.metres() * photo.width, world.metres() * photo.height} {}
 
   void add_surfaces(const std::vector<Pebble>& pebbles, const cv::Mat1i& labels, Texture texture,
                     const Shading* shading) {
@@ -302,7 +302,8 @@ Scene build_scene(const std::vector<Pebble>& pebbles, const cv::Mat1i& labels, c
   std::vector<Scene::View> views;
   std::vector<int> shared;  // by all views
   if (!strewn) shared = field.add_hulls(stones);
-  if (!strewn && params.layout != FieldLayout::kNodes) field.add_merged(stones, views.emplace_back("merged").nodes);
+  if (!strewn && params.layout != FieldLayout::kNodes)
+    field.add_merged(stones, views.emplace_back(Scene::View{"merged", {}}).nodes);
   if (strewn || params.layout != FieldLayout::kMerged) {
     std::vector<int>& nodes = views.insert(views.begin(), Scene::View{"pebbles", {}})->nodes;
     if (strewn) {
