@@ -58,12 +58,12 @@ async function press(app, ...pebbles) {
   for (const place of await app.onPicture(...size, pebbles.map(partsOf))) await app.page.mouse.click(...place);
 }
 
-/** Moves the mouse over the field until its label says so. */
-async function findInField(page, words) {
+/** Moves the mouse over the field, from a place given in parts of it, until its label says so. */
+async function findInField(page, words, from = [0.5, 0.55]) {
   const box = await page.locator('.field-canvas').boundingBox();
   const label = page.locator('.field-label');
   for (let step = 0; step < 80; ++step) {
-    const [u, v] = [0.5 + 0.02 * (step % 8), 0.55 - 0.02 * Math.floor(step / 4)];
+    const [u, v] = [from[0] + 0.02 * (step % 8), from[1] - 0.02 * Math.floor(step / 8)];
     await page.mouse.move(box.x + u * box.width, box.y + v * box.height);
     if (words.test(await label.textContent())) return label.textContent();
   }
@@ -168,6 +168,7 @@ test('a pebble is taken out of the ground, carried off, and put back', async () 
     await again(app);
     await lifted(page, 0);
     assert.equal((await jobOf(app)).params.groundHole, false);
+    await findInField(page, /press to take it out/, [0.1, 0.5]); // as large as before
   });
 });
 

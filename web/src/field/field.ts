@@ -46,10 +46,12 @@ export interface FieldEvents {
 }
 
 const kSide = 10; // of the field's longer side as it is drawn, whatever its metres are
+const kMostPixels = 2; // device px of a CSS px; more are not seen
 const kView = new Vector3(0, 1.5, 0.8); // from where the field is seen at first
 const kSun = new Vector2(-0.8, -0.25); // x and z of the light: the photo's left, a little its top
 const kPlain = '#bdb5a8';
 const kShadowSide = 2048; // px
+const kPlainShadowSide = 1024;
 
 export class Field {
   private readonly renderer: WebGLRenderer;
@@ -72,12 +74,13 @@ export class Field {
   private before = 0;
   private newest = 0;
 
-  /** Throws where the browser has no WebGL2. */
+  /** Throws where the browser has no WebGL2. `plain`: for a processor that has to draw. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
+    private readonly plain: boolean,
     private readonly events: FieldEvents,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !plain, alpha: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false;
@@ -96,7 +99,7 @@ export class Field {
     this.controls.maxDistance = 60;
     this.controls.addEventListener('change', () => this.invalidate());
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.setScalar(kShadowSide);
+    this.sun.shadow.mapSize.setScalar(plain ? kPlainShadowSide : kShadowSide);
     this.sun.shadow.normalBias = 0.01;
     this.sun.shadow.bias = -0.0004;
     this.scene.add(this.world, this.sun, this.sun.target, new HemisphereLight('#dfe9f5', '#8a7d6b', 2));
@@ -137,7 +140,7 @@ export class Field {
   /** Scales the world to the field; the camera stays where it is for another run on the same photo. */
   private measure(scene: Object3D): void {
     this.world.scale.setScalar(1);
-    scene.updateMatrixWorld(true);
+    this.world.updateMatrixWorld(true);
     const box = new Box3().setFromObject(scene.getObjectByName('ground') ?? scene);
     const extent = box.getSize(new Vector3());
     const scale = kSide / Math.max(extent.x, extent.z, 1e-9);
@@ -309,7 +312,7 @@ export class Field {
 
   resize(width: number, height: number, ratio: number): void {
     if (width < 1 || height < 1) return;
-    this.renderer.setPixelRatio(ratio);
+    this.renderer.setPixelRatio(this.plain ? 1 : Math.min(ratio, kMostPixels));
     this.renderer.setSize(width, height, false);
     const fitted = this.camera.aspect;
     this.camera.aspect = width / height;

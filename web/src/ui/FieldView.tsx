@@ -15,7 +15,7 @@ type State = 'loading' | 'ready' | 'missing' | 'lost';
 
 const kTurn = 0.12; // radians an arrow key turns
 const kLight = Math.PI / 4; // radians that a press moves the light
-const kMostPixels = 2; // device px of a CSS px; more are not seen
+const kSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 interface Look {
   texture: boolean;
@@ -86,15 +86,15 @@ function useField(canvas: RefObject<HTMLCanvasElement>) {
     if (!element || !box) return;
     let gone = false;
     const resize = () => {
-      field.value?.resize(box.clientWidth, box.clientHeight, Math.min(devicePixelRatio, kMostPixels));
+      field.value?.resize(box.clientWidth, box.clientHeight, devicePixelRatio);
     };
     const resized = new ResizeObserver(resize);
     resized.observe(box);
     const start = async () => {
-      if (!hasWebGl()) throw new Error('there is no WebGL2');
+      const renderer = rendererName();
       const { Field } = await import('../field/field');
       if (gone) return;
-      field.value = new Field(element, {
+      field.value = new Field(element, kSoftware.test(renderer), {
         pointed: (id) => (pointed.value = id),
         lifted: (ids) => (lifted.value = ids),
         lost: () => (state.value = 'lost'),
@@ -142,15 +142,14 @@ const kWords: Readonly<Record<Exclude<State, 'ready'>, string>> = {
   lost: 'The graphics card has given up on this view. Load the page again; everything else goes on working.',
 };
 
-/** Without the complaints that a context that cannot be had leaves on the console. */
-function hasWebGl(): boolean {
-  try {
-    const context = document.createElement('canvas').getContext('webgl2');
-    context?.getExtension('WEBGL_lose_context')?.loseContext();
-    return context !== null;
-  } catch {
-    return false;
-  }
+/** What draws here. Throws where nothing does, without the complaints that three.js has then on the console. */
+function rendererName(): string {
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (!context) throw new Error('there is no WebGL2');
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = String(context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER));
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return name;
 }
 
 function inks(): Pick<FieldLook, 'accent' | 'ground'> {
