@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Paints the pictures in public/samples that mosaics start from: fruit.png and coast.png, shaded smoothly.
+"""Paints the pictures in public/samples that are no drawings: fruit.png and coast.png, shaded smoothly, for mosaics;
+pebbles.png, speckled as a photo is, for pebbles.
 
 usage: python3 scripts/paint_samples.py [FOLDER]
 
@@ -7,6 +8,7 @@ Everything is a formula: where a shape is, which way its surface looks there, wh
 """
 import math
 import pathlib
+import random
 import struct
 import sys
 import zlib
@@ -18,7 +20,7 @@ LIGHT = (-0.52, -0.62, 0.59)  # from the left, above, before
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1] / 'public/samples')
     folder.mkdir(parents=True, exist_ok=True)
-    for name, paint in {'fruit': fruit, 'coast': coast}.items():
+    for name, paint in {'fruit': fruit, 'coast': coast, 'pebbles': pebbles}.items():
         (folder / f'{name}.png').write_bytes(png(paint()))
 
 
@@ -254,6 +256,130 @@ def boat(canvas, x, y, size):
             lambda px, py: mix((252, 240, 216), (214, 168, 150), smooth((px - x) / (64 * size))))
     polygon(canvas, [p(-4, -150), p(-4, -12), p(-50, -12)],
             lambda px, py: mix((206, 150, 128), (246, 214, 178), smooth((px - x + 50 * size) / (50 * size))))
+
+
+# ---- Pebbles on dark sand
+
+STONES = (  # colours of a river's bed, and how often each comes
+    ((152, 148, 140), 4), ((118, 120, 122), 4), ((184, 164, 134), 3), ((204, 198, 186), 2), ((160, 122, 88), 2),
+    ((142, 104, 90), 2), ((96, 102, 108), 3), ((124, 130, 114), 2), ((174, 178, 180), 2))
+LARGEST, SMALLEST = 66, 9  # semi-axis, px
+THROWS = 24000
+COARSE = 4  # to this many levels of grey a colour is rounded: what a photo's noise hides, and PNG takes for less
+
+
+def pebbles():
+    chance = random.Random(7)
+    canvas = blank(sand)
+    for stone in bed(chance):
+        shade_below(canvas, stone)
+        lay_stone(canvas, stone)
+    return [[tuple(COARSE * round(v / COARSE) for v in pixel) for pixel in row] for row in canvas]
+
+
+def sand(x, y):
+    tone = 0.55 * noise(x / 2.2, y / 2.2, 1) + 0.45 * noise(x / 26, y / 26, 2)
+    return mix((14, 12, 11), (46, 39, 33), tone ** 1.5)
+
+
+class Stone:
+    """A rounded outline and what it is made of."""
+
+    def __init__(self, chance, number, x, y, size):
+        self.x, self.y, self.number = x, y, number
+        self.rx, self.ry = size, size * chance.uniform(0.64, 0.95)
+        self.turn = chance.uniform(0, math.pi)
+        self.waves = [(k, chance.gauss(0, most), chance.uniform(0, 2 * math.pi))
+                      for k, most in ((2, 0.03), (3, 0.035), (4, 0.022), (5, 0.012))]
+        self.colour = chance.choices([c for c, _ in STONES], [often for _, often in STONES])[0]
+        tone = chance.uniform(0.8, 1.18)
+        self.colour = tuple(clamp(v * tone * chance.uniform(0.95, 1.05), 0, 255) for v in self.colour)
+        self.dome = chance.uniform(0.75, 1.2)
+        self.speckle = chance.choice((0.12, 0.18, 0.3))
+        self.vein = chance.uniform(0, math.pi) if chance.random() < 0.16 else None
+
+    def at(self, px, py):
+        """How far out a place is, 1 on the outline, and the direction outwards."""
+        dx, dy = px - self.x, py - self.y
+        c, s = math.cos(self.turn), math.sin(self.turn)
+        u, v = (c * dx + s * dy) / self.rx, (c * dy - s * dx) / self.ry
+        angle = math.atan2(v, u)
+        edge = 1 + sum(a * math.cos(k * angle + phase) for k, a, phase in self.waves)
+        gx, gy = c * u / self.rx - s * v / self.ry, s * u / self.rx + c * v / self.ry
+        length = math.hypot(gx, gy) or 1
+        return math.hypot(u, v) / edge, gx / length, gy / length
+
+
+def bed(chance):
+    """Stones from large to small, each where there is room; the small ones lie lowest."""
+    laid = []
+    for step in range(THROWS):
+        size = SMALLEST + (LARGEST - SMALLEST) * (1 - step / THROWS) ** 5 * chance.uniform(0.55, 1)
+        x, y = chance.uniform(-30, WIDTH + 30), chance.uniform(-30, HEIGHT + 30)
+        stone = Stone(chance, len(laid), x, y, size)
+        if all(apart(stone, other) for other in laid):
+            laid.append(stone)
+    return laid[::-1]
+
+
+def apart(a, b):
+    """Whether they overlap little at most, along the line of their centres."""
+    distance = math.hypot(a.x - b.x, a.y - b.y)
+    if distance > a.rx + b.rx:
+        return True
+    return distance > 0 and 1 / a.at(b.x, b.y)[0] + 1 / b.at(a.x, a.y)[0] < 1.06
+
+
+def shade_below(canvas, stone):
+    """The shadow that it throws to the right and below, softer farther out."""
+    drop = 0.10 * stone.ry + 1.5
+
+    def at(px, py):
+        out = (stone.at(px - drop, py - drop)[0] - 1) * stone.ry
+        return (0.72 * smooth(1 - out / (0.16 * stone.ry + 4)), (8, 7, 8)) if out < 0.16 * stone.ry + 4 else None
+    lay(canvas, around(stone, 1.4), at)
+
+
+def lay_stone(canvas, stone):
+    tint = stone.number * 7.31
+
+    def at(px, py):
+        out, ox, oy = stone.at(px, py)
+        cover = clamp(0.5 + (1 - out) * stone.ry)
+        if cover == 0:
+            return None
+        slope = stone.dome * out ** 2.2 / math.sqrt(max(0.04, 1.04 - out * out))
+        nx, ny, nz = (v / math.hypot(slope, 1) for v in (slope * ox, slope * oy, 1))
+        facing = nx * LIGHT[0] + ny * LIGHT[1] + nz * LIGHT[2]
+        lit = (0.46 + 0.8 * max(0.0, facing)) * (1 - 0.45 * out ** 7)
+        grain = noise(px / 1.5, py / 1.5, tint) - 0.5 + 0.9 * (noise(px / 5, py / 5, tint + 1) - 0.5)
+        cloud = noise(px / 30 + tint, py / 30, tint + 2) - 0.5
+        skin = tuple(v * (1 + stone.speckle * grain + 0.3 * cloud) for v in stone.colour)
+        if stone.vein is not None:
+            across = ((px - stone.x) * math.cos(stone.vein) + (py - stone.y) * math.sin(stone.vein)
+                      + 5 * noise(px / 17, py / 17, tint + 3)) / stone.ry
+            skin = mix(skin, (226, 220, 208), 0.55 * smooth(1 - abs(across + 0.15) / 0.07))
+        return cover, tuple(clamp(v * lit, 0, 255) for v in skin)
+    lay(canvas, around(stone, 1.12), at)
+
+
+def around(stone, times):
+    reach = times * stone.rx + 6
+    return stone.x - reach, stone.y - reach, stone.x + reach, stone.y + reach
+
+
+def noise(x, y, kind):
+    """Between 0 and 1, smooth, the same at the same place."""
+    i, j = math.floor(x), math.floor(y)
+    u, v = smooth(x - i), smooth(y - j)
+    top = dice(i, j, kind) * (1 - u) + dice(i + 1, j, kind) * u
+    return top * (1 - v) + (dice(i, j + 1, kind) * (1 - u) + dice(i + 1, j + 1, kind) * u) * v
+
+
+def dice(i, j, kind):
+    n = (i * 374761393 + j * 668265263 + int(kind * 1000) * 2147483647) & 0xffffffff
+    n = ((n ^ (n >> 13)) * 1274126177) & 0xffffffff
+    return ((n ^ (n >> 16)) & 0xffff) / 0xffff
 
 
 # ---- PNG

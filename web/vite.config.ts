@@ -30,6 +30,7 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'es2022',
     modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 700, // three.js, which only one tab loads
     rolldownOptions: {
       input: { app: here('./index.html'), sw: here('./sw/sw.ts') },
       output: { entryFileNames: (chunk) => (chunk.name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js') },

@@ -16,12 +16,14 @@ export async function inFolder(use) {
   }
 }
 
-/** `pictures`: the bytes for each role; they are put where the job says. */
-export function nativeSvg(folder, job, pictures) {
+/** What the native program makes of a job. `pictures`: the bytes for each role; they are put where the job says. */
+export function nativeFile(folder, job, pictures, ending) {
   const { inputs } = JSON.parse(job);
   for (const [role, name] of Object.entries(inputs)) writeFileSync(join(folder, name), pictures[role]);
   writeFileSync(join(folder, 'job.json'), job);
-  const output = join(folder, 'native.svg');
+  const output = join(folder, `native.${ending}`);
   execFileSync(tessera, ['run', join(folder, 'job.json'), '-o', output, '--backend', 'cpu', '--quiet']);
-  return readFileSync(output, 'utf8');
+  return readFileSync(output);
 }
+
+export const nativeSvg = (folder, job, pictures) => nativeFile(folder, job, pictures, 'svg').toString('utf8');

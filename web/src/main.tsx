@@ -4,6 +4,7 @@ import './style/base.css';
 import './style/layout.css';
 import './style/controls.css';
 import './style/stage.css';
+import './style/field.css';
 import './style/phone.css';
 import { bindViewport } from './stage/viewport';
 import { bindAddress, openAddress } from './state/address';

@@ -103,11 +103,17 @@ class App {
   /** Places on the picture, as parts of it, in pixels of the page. The picture lies fitted and centred on the stage. */
   async onPicture(width, height, places) {
     const box = await this.page.locator('.stage-canvas').boundingBox();
-    const scale = Math.min((box.width - 48) / width, (box.height - 48) / height, 4);
+    const margin = box.width < 600 ? 16 : 48;
+    const scale = Math.min((box.width - margin) / width, (box.height - margin) / height, 4);
     return places.map(([u, v]) => [
       box.x + box.width / 2 + (u - 0.5) * width * scale,
       box.y + box.height / 2 + (v - 0.5) * height * scale,
     ]);
+  }
+
+  /** Until the field in three dimensions shows the stones of the run that is done. */
+  async fieldShown() {
+    await this.page.locator('.field-stage[aria-busy=false]').waitFor(patience);
   }
 
   /** Presses the mouse at the first place and lets it go at the last. */

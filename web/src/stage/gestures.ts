@@ -9,8 +9,8 @@ const kTap = 5; // px that a tap may wander
 
 const point = (at: Point | null) => painter.postMessage({ type: 'point', at });
 
-/** Listens on `element`; the answer takes all listeners off again. */
-export function listenToGestures(element: HTMLElement): () => void {
+/** Listens on `element`; the answer takes all listeners off again. `tapped`: with a place on the element. */
+export function listenToGestures(element: HTMLElement, tapped: (at: Point) => void): () => void {
   const pointers = new Map<number, Point>();
   let wandered = 0;
   const aborter = new AbortController();
@@ -38,8 +38,10 @@ export function listenToGestures(element: HTMLElement): () => void {
     if (wandered > kTap) pan(at.x - before.x, at.y - before.y);
   });
   const release = (event: PointerEvent) => {
-    const tapped = pointers.delete(event.pointerId) && pointers.size === 0 && wandered <= kTap;
-    if (tapped && event.type === 'pointerup') point(within(event));
+    const still = pointers.delete(event.pointerId) && pointers.size === 0 && wandered <= kTap;
+    if (!still || event.type !== 'pointerup') return;
+    point(within(event));
+    tapped(within(event));
   };
   on('pointerup', release);
   on('pointercancel', release);

@@ -79,7 +79,8 @@ export class Scene {
   }
 
   pieceUnderPointer(): number {
-    if (!this.pointer || !this.stones || this.live || !this.look?.layers.stones) return -1;
+    if (!this.pointer || !this.stones || this.live || !this.look) return -1;
+    if (!this.look.layers.stones && !this.look.layers.outlines) return -1;
     if (this.pointer.x < this.look.divider * this.stage.width) return -1;
     const { drawing, grid } = this.stones;
     const p = toPicture(this.view, this.pointer);
@@ -155,6 +156,7 @@ export class Scene {
     if (this.live) return;
     if (layers.source && layers.stones && this.stones) this.drawSource(context, 0.5);
     const { diagram, view, stage, ratio } = this;
+    if (layers.outlines) this.stones?.drawing.outlines(context, view, stage, ratio);
     if (!diagram) return;
     const [r, g, b] = rgbaOf(accent);
     if (layers.cells && layers.stones) {

@@ -13,9 +13,15 @@ interface Region {
   right: number;
   bottom: number;
   paths: Map<number, Path2D> | null; // by colour
+  lines: Path2D | null; // all in one
 }
 
 const kPiecesPerRegion = 400;
+/** Widths in CSS px and inks of a line that is seen on any picture, from below. */
+const kLine = [
+  [3.4, 'rgb(20 20 20 / 0.75)'],
+  [1.5, '#ffd640'],
+] as const;
 
 export class StoneDrawing {
   private readonly regions: Region[] = [];
@@ -33,7 +39,7 @@ export class StoneDrawing {
     for (let piece = 0; piece < count; ++piece) {
       const [left, top, right, bottom] = boundsOf(pieces, piece);
       const place = Math.floor((top + bottom) / 2 / side) * columns + Math.floor((left + right) / 2 / side);
-      const region = byPlace.get(place) ?? { members: [], left, top, right, bottom, paths: null };
+      const region = byPlace.get(place) ?? { members: [], left, top, right, bottom, paths: null, lines: null };
       region.members.push(piece);
       region.left = Math.min(region.left, left);
       region.top = Math.min(region.top, top);
@@ -45,16 +51,11 @@ export class StoneDrawing {
   }
 
   draw(context: Context, view: View, stage: Size, ratio: number): void {
-    const from = toPicture(view, { x: 0, y: 0 });
-    const to = toPicture(view, { x: stage.width, y: stage.height });
     context.save();
     this.enter(context, view, ratio);
     context.fillStyle = this.ground;
     context.fillRect(0, 0, this.pieces.width, this.pieces.height);
-    for (const region of this.regions) {
-      const { scale } = this;
-      if (region.right < from.x * scale || region.left > to.x * scale) continue;
-      if (region.bottom < from.y * scale || region.top > to.y * scale) continue;
+    for (const region of this.seen(view, stage)) {
       region.paths ??= this.pathsOf(region);
       for (const [colour, path] of region.paths) {
         context.fillStyle = this.pieces.palette[colour] ?? '#000';
@@ -62,6 +63,30 @@ export class StoneDrawing {
       }
     }
     context.restore();
+  }
+
+  /** The outlines of all pieces. */
+  outlines(context: Context, view: View, stage: Size, ratio: number): void {
+    context.save();
+    this.enter(context, view, ratio);
+    context.lineJoin = 'round';
+    for (const [width, ink] of kLine) {
+      context.lineWidth = (width * this.scale) / view.scale;
+      context.strokeStyle = ink;
+      for (const region of this.seen(view, stage)) context.stroke((region.lines ??= this.linesOf(region)));
+    }
+    context.restore();
+  }
+
+  private *seen(view: View, stage: Size): Generator<Region> {
+    const { scale } = this;
+    const from = toPicture(view, { x: 0, y: 0 });
+    const to = toPicture(view, { x: stage.width, y: stage.height });
+    for (const region of this.regions) {
+      if (region.right < from.x * scale || region.left > to.x * scale) continue;
+      if (region.bottom < from.y * scale || region.top > to.y * scale) continue;
+      yield region;
+    }
   }
 
   outline(context: Context, view: View, ratio: number, piece: number, ink: string): void {
@@ -93,6 +118,12 @@ export class StoneDrawing {
       paths.set(colour, path);
     }
     return paths;
+  }
+
+  private linesOf(region: Region): Path2D {
+    const path = new Path2D();
+    for (const piece of region.members) this.trace(path, piece);
+    return path;
   }
 
   private trace(path: Path2D, piece: number): void {

@@ -1,31 +1,33 @@
 // Where the stage looks. It stays fitted to the picture until somebody moves it.
 
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { painter } from '../state/page';
-import { picture } from '../state/store';
+import { entry, picture, technique } from '../state/store';
 import { calm, shade } from '../state/theme';
-import type { Layer, Layers } from '../worker/protocol';
+import { kLayers, type Layer, type Layers } from '../worker/protocol';
 import { fit, panBy, zoomAt, type Point, type Size, type View } from './view';
 
 const kMargin = 24;
 
 export const view = signal<View>({ scale: 1, x: 0, y: 0 });
 export const stageSize = signal<Size>({ width: 1, height: 1 });
-export const layers = signal<Layers>({
-  source: false,
-  edges: false,
-  direction: false,
-  sites: false,
-  cells: false,
-  stones: true,
-});
+/** What was switched, by technique; else each shows what it shows at first. */
+const switched = signal<Readonly<Record<string, Layers>>>({});
+export const layers = computed(() => switched.value[technique.value] ?? shownAtFirst(entry.value.shown));
 /** Part of the stage that shows the source. */
 export const divider = signal(0);
 
 const fitted = signal(true);
 
 export const fitView = () => (fitted.value = true);
-export const toggleLayer = (layer: Layer) => (layers.value = { ...layers.value, [layer]: !layers.value[layer] });
+export const toggleLayer = (layer: Layer) =>
+  (switched.value = {
+    ...switched.value,
+    [technique.value]: { ...layers.value, [layer]: !layers.value[layer] },
+  });
+
+const shownAtFirst = (shown: readonly Layer[]) =>
+  Object.fromEntries(kLayers.map((layer) => [layer, shown.includes(layer)])) as Record<Layer, boolean>;
 
 function move(next: (picture: Size, stage: Size) => View): void {
   if (!picture.value) return;
@@ -56,7 +58,7 @@ export function bindViewport(): void {
       type: 'look',
       look: {
         layers: layers.value,
-        divider: divider.value,
+        divider: entry.value.solid ? 0 : divider.value,
         accent: colour('--accent'),
         line: colour('--line'),
         calm: calm.value,

@@ -5,7 +5,10 @@ import { sameParams, withValue, type Field, type Params } from './form';
 import { push, redo as redone, undo as undone } from './history';
 import { runSoon } from './runner';
 import { isNothing, kNothingDrawn, type Drawn } from './drawn';
-import { edits, problems, type Edits } from './store';
+import { edits, fields, problems, type Edits } from './store';
+
+/** The parameter that tells what people have corrected in the picture. */
+export const kCorrections = 'edits';
 
 /** The control that is being moved or typed into: all it does until it is let go is undone together. */
 let moving = '';
@@ -39,6 +42,16 @@ export function changeParams(params: Params, seed = edits.value.present.seed): v
   change('', { params, seed });
 }
 
+/** Parameters by key, as one step. */
+export function changeValues(values: Params): void {
+  let { params } = edits.value.present;
+  for (const field of fields.value) {
+    const value = values[field.key];
+    if (value !== undefined) params = withValue(params, field, value);
+  }
+  if (change('', { params })) runSoon();
+}
+
 export function choosePreset(params: Params): void {
   if (change('', { params })) runSoon();
 }
@@ -51,6 +64,12 @@ export function changeDrawn(part: Partial<Drawn>, key = ''): void {
 /** What was drawn belongs to the picture that it was drawn on. Does not run. */
 export function dropDrawn(): void {
   if (!isNothing(edits.value.present.drawn)) change('', { drawn: kNothingDrawn });
+}
+
+/** The same of what was corrected in it. Does not run. */
+export function dropCorrections(): void {
+  const { [kCorrections]: corrections, ...params } = edits.value.present.params;
+  if (corrections !== undefined) change('', { params });
 }
 
 export const undo = () => step(undone(edits.value));

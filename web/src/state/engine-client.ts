@@ -4,6 +4,7 @@
 
 import type { Job, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
+import type { Pieces } from '../worker/pieces';
 import type {
   ColourCount,
   EngineInfo,
@@ -28,7 +29,7 @@ export interface RunEvents {
 }
 
 export type RunEnd =
-  | { kind: 'done'; result: RunResult; milliseconds: number; colours: readonly ColourCount[] }
+  | { kind: 'done'; result: RunResult; milliseconds: number; colours: readonly ColourCount[]; pieces: Pieces | null }
   | { kind: 'problems'; problems: readonly Problem[] }
   | { kind: 'cancelled' };
 

@@ -1,5 +1,8 @@
 // The files that a run is offered as, in the order they are made and shown.
 
+import { computed } from '@preact/signals';
+import { entry } from './store';
+
 export interface FileKind {
   /** The engine's format; "job" and the drawn pictures come from the page. */
   format: string;
@@ -11,11 +14,10 @@ export interface FileKind {
   more?: boolean;
 }
 
-export const kFiles: readonly FileKind[] = [
+const kFlat: readonly FileKind[] = [
   { format: 'svg', title: 'SVG', ending: 'svg' },
   { format: 'dxf', title: 'DXF', ending: 'dxf' },
   { format: 'png', title: 'PNG', ending: 'png' },
-  { format: 'glb', title: 'GLB', ending: 'glb' },
   { format: 'zip', title: 'ZIP', ending: 'zip' },
   { format: 'bom.csv', title: 'bill of materials', short: 'Bill', ending: 'bom.csv' },
   { format: 'job', title: 'job', ending: 'json' },
@@ -26,4 +28,20 @@ export const kFiles: readonly FileKind[] = [
   { format: 'regions', title: 'regions.png', ending: 'png', more: true },
 ];
 
-export const endingOf = (format: string): string => kFiles.find((file) => file.format === format)?.ending ?? format;
+/** Of solid pieces. The PNG is the photo with their outlines. */
+const kSolid: readonly FileKind[] = [
+  { format: 'glb', title: 'GLB', ending: 'glb' },
+  { format: 'csv', title: 'CSV', ending: 'csv' },
+  { format: 'svg', title: 'SVG', ending: 'svg' },
+  { format: 'dxf', title: 'DXF', ending: 'dxf' },
+  { format: 'overlay.png', title: 'PNG', ending: 'outlines.png' },
+  { format: 'job', title: 'job', ending: 'json' },
+  { format: 'labels.png', title: 'label picture', short: 'Labels', ending: 'labels.png', more: true },
+  { format: 'gltf', title: 'glTF', ending: 'gltf', more: true },
+  { format: 'json', title: 'GeoJSON', ending: 'geojson', more: true },
+];
+
+export const fileKinds = computed(() => (entry.value.solid ? kSolid : kFlat));
+
+export const endingOf = (format: string): string =>
+  fileKinds.value.find((file) => file.format === format)?.ending ?? format;

@@ -47,9 +47,18 @@ export type Field = NumberField | ChoiceField | ToggleField | TextField;
 /** Parameters that differ from their defaults. */
 export type Params = Readonly<Record<string, ParameterValue>>;
 
-export function fieldsOf(schema: JobSchema, technique: string): Field[] {
+/** `without`: choices that are not offered, by parameter. */
+export function fieldsOf(
+  schema: JobSchema,
+  technique: string,
+  without: Readonly<Record<string, readonly string[]>> = {},
+): Field[] {
   const properties = schema.$defs[technique]?.properties ?? {};
-  return Object.entries(properties).map(([key, property]) => fieldOf(key, property));
+  return Object.entries(properties).map(([key, property]) => {
+    const field = fieldOf(key, property);
+    if (field.kind !== 'choice') return field;
+    return { ...field, choices: field.choices.filter(({ value }) => !without[key]?.includes(value)) };
+  });
 }
 
 function fieldOf(key: string, property: ParameterSchema): Field {

@@ -4,7 +4,7 @@ import { client } from './page';
 import { forgetOutcome, generate, prepare, stop } from './runner';
 import { kPicture } from '../worker/protocol';
 import { alertWith, edits, entry, opening, picture, run, type PictureInfo } from './store';
-import { changeParams, dropDrawn } from './edits';
+import { changeParams, dropCorrections, dropDrawn } from './edits';
 import type { Sample } from '../techniques/entry';
 
 /** The engine's formats that carry a job, and what people call them. */
@@ -41,6 +41,7 @@ async function take(fetched: Blob | Promise<Blob>, name: string, sample: string 
 export async function usePicture(blob: Blob, name: string): Promise<void> {
   if (!(await take(blob, name, null))) return;
   dropDrawn();
+  dropCorrections();
   generate();
 }
 
@@ -68,6 +69,7 @@ function followSample(sample: Sample): void {
   for (const key of named) delete own[key];
   changeParams({ ...own, ...sample.params });
   dropDrawn();
+  dropCorrections();
 }
 
 export const sampleNamed = (name: string | null): Sample | undefined =>

@@ -5,7 +5,7 @@ import type { Job, Problem } from 'tessera-wasm';
 import { schema } from 'tessera-wasm/description';
 import { kPicture } from '../worker/protocol';
 import { drawnPictures, type DrawnPicture } from './drawn';
-import { endingOf, kFiles } from './files';
+import { endingOf, fileKinds } from './files';
 import { valueOf } from './form';
 import type { Size } from '../stage/view';
 import { client } from './page';
@@ -105,7 +105,7 @@ async function start(quick: boolean): Promise<void> {
   }
   if (mine !== newest) return;
   const job = currentJob(drawnOnes);
-  const part = quick ? reductionFor(picture.value.width, picture.value.height) : 1;
+  const part = quick && !entry.value.solid ? reductionFor(picture.value.width, picture.value.height) : 1;
   if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part, []))) return;
   await attempt(mine, job, 1, drawnOnes);
 }
@@ -134,13 +134,13 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   const update = (change: Partial<NonNullable<typeof run.value>>) => {
     if (mine === newest && run.value) run.value = { ...run.value, ...change };
   };
-  const formats = kFiles.map(({ format }) => format).filter((format) => known.value?.formats.includes(format));
+  const formats = fileKinds.value.map(({ format }) => format).filter((f) => known.value?.formats.includes(f));
   const inputs = Object.fromEntries(
     Object.keys(job.inputs).map((role) => [role, role === inputRole.value ? kPicture : role]),
   );
-  const baseName = `${(picture.value?.name ?? 'drawing').replace(/\.[^.]*$/, '')}-${job.technique}`;
+  const baseName = baseNameOf(picture.value?.name ?? 'drawing', job.technique);
   const end = await client.run(
-    { job, inputs, backend: backend.value, scale, formats },
+    { job, inputs, backend: backend.value, scale, formats, pieces: entry.value.solid },
     {
       stage: (stage) => update({ stage }),
       progress: (fraction) => update({ fraction }),
@@ -155,8 +155,8 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
     run.value = null;
     if (end.kind === 'done') {
       forgetFiles();
-      const { result, milliseconds, colours } = end;
-      outcome.value = { job, result, milliseconds, reduced, colours, files: {} };
+      const { result, milliseconds, colours, pieces } = end;
+      outcome.value = { job, result, milliseconds, reduced, colours, pieces, files: {} };
       if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.${endingOf('job')}` });
       for (const { role, ...file } of drawnOnes) addFile(role, file);
     } else if (end.kind === 'problems') {
@@ -166,12 +166,18 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   return end.kind === 'done';
 }
 
+/** "coast-mosaic" of coast.png. */
+function baseNameOf(pictureName: string, name: string): string {
+  const stem = pictureName.replace(/\.[^.]*$/, '');
+  return stem === name ? stem : `${stem}-${name}`;
+}
+
 const jobBlob = (job: Job) => new Blob([`${JSON.stringify(job, null, 2)}\n`], { type: 'application/json' });
 
 function addFile(format: string, { blob, name }: { blob: Blob; name: string }): void {
   const { value } = outcome;
   if (!value) return;
-  const link: FileLink = { address: URL.createObjectURL(blob), name };
+  const link: FileLink = { address: URL.createObjectURL(blob), name, blob };
   outcome.value = { ...value, files: { ...value.files, [format]: link } };
 }
 

@@ -8,6 +8,7 @@ import type { Tool } from '../techniques/entry';
 import { entryOf } from '../techniques/index';
 import type { Size } from '../stage/view';
 import type { Backend, ColourCount, EngineInfo, Graphics, PieceFacts } from '../worker/protocol';
+import type { Pieces } from '../worker/pieces';
 import { fieldsOf, type Params } from './form';
 import { kNothingDrawn, type Drawn } from './drawn';
 import { historyOf, type History } from './history';
@@ -40,6 +41,7 @@ export interface Run {
 export interface FileLink {
   address: string;
   name: string;
+  blob: Blob;
 }
 
 export interface Outcome {
@@ -48,6 +50,8 @@ export interface Outcome {
   milliseconds: number;
   reduced: boolean;
   colours: readonly ColourCount[];
+  /** Of techniques whose pieces are solid. */
+  pieces: Pieces | null;
   /** By format; grows while the files are made. */
   files: Readonly<Record<string, FileLink>>;
 }
@@ -74,7 +78,7 @@ export const piece = signal<PieceFacts | null>(null);
 export const tool = signal<Tool | null>(null);
 
 export const entry = computed(() => entryOf(technique.value) ?? pavement);
-export const fields = computed(() => fieldsOf(schema, technique.value));
+export const fields = computed(() => fieldsOf(schema, technique.value, entry.value.without));
 export const params = computed(() => edits.value.present.params);
 export const seed = computed(() => edits.value.present.seed);
 export const drawn = computed(() => edits.value.present.drawn);

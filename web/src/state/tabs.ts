@@ -1,7 +1,7 @@
 // Going from one technique to another. Each keeps what was edited; a picture of the visitor's own comes along.
 
 import { batch } from '@preact/signals';
-import { dropDrawn } from './edits';
+import { dropCorrections, dropDrawn } from './edits';
 import { sampleNamed, useSample } from './pictures';
 import { forgetOutcome, generate } from './runner';
 import { edits, entry, freshEdits, picture, problems, technique, tool, type PictureInfo } from './store';
@@ -27,7 +27,10 @@ export async function openTab(name: string): Promise<void> {
   switchTo(name);
   const before = left.get(name);
   if (picture.value && picture.value.sample === null) {
-    if (before?.picture !== picture.value) dropDrawn();
+    if (before?.picture !== picture.value) {
+      dropDrawn();
+      dropCorrections();
+    }
     return generate();
   }
   const sample = sampleNamed(before?.picture?.sample ?? null) ?? entry.value.samples[0];

@@ -12,8 +12,12 @@ export interface Sample {
   params?: Params;
 }
 
-/** What else than a file makes a picture, or is drawn over it. */
-export type Tool = 'sketch' | 'word' | 'guides' | 'regions';
+/** What else than a file makes a picture, or is drawn over it; what the pointer does on the stage then. */
+export type PictureTool = 'sketch' | 'word' | 'guides' | 'regions';
+export type Tool = PictureTool | PebbleTool;
+
+/** What corrects pebbles on their photo. */
+export type PebbleTool = 'pick' | 'split' | 'add' | 'ruler';
 
 export interface Preset {
   title: string;
@@ -30,9 +34,17 @@ export interface TechniqueEntry {
   icon: ComponentType;
   /** What its pieces are: "stones". */
   pieces: string;
-  tools: readonly Tool[];
-  /** What the stage can show of it. */
+  /** Of those beside the picture's file. */
+  tools: readonly PictureTool[];
+  /** What the stage can show of it, and what it shows at first. */
   layers: readonly Layer[];
+  shown: readonly Layer[];
+  /** Its pieces are solid: a view of them stands beside the picture, which it searches in a size of its own. */
+  solid: boolean;
+  /** Parameters that are not folded away, where the engine's word on that is not this page's. */
+  front?: readonly string[];
+  /** Choices of parameters that need what a page does not have. */
+  without?: Readonly<Record<string, readonly string[]>>;
   samples: readonly Sample[];
   presets: readonly Preset[];
   /** What the engine's stages are called while they go on. */

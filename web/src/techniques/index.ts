@@ -1,9 +1,10 @@
 // The tabs, in order. A technique that the engine does not have yet is shown, and says so.
 
 import type { TechniqueEntry } from './entry';
-import { ParquetryIcon, PatternIcon, PebblesIcon } from './icons';
+import { ParquetryIcon, PatternIcon } from './icons';
 import { mosaic } from './mosaic';
 import { pavement } from './pavement';
+import { pebbles } from './pebbles';
 
 const planned = (name: string, title: string, sentence: string, icon: TechniqueEntry['icon']): TechniqueEntry => ({
   name,
@@ -13,6 +14,8 @@ const planned = (name: string, title: string, sentence: string, icon: TechniqueE
   pieces: 'pieces',
   tools: [],
   layers: [],
+  shown: [],
+  solid: false,
   samples: [],
   presets: [],
   stages: {},
@@ -22,7 +25,7 @@ const planned = (name: string, title: string, sentence: string, icon: TechniqueE
 export const techniques: readonly TechniqueEntry[] = [
   pavement,
   mosaic,
-  planned('pebbles', 'Pebbles', 'A photo of gravel as a field of solid pebbles.', PebblesIcon),
+  pebbles,
   planned('pattern', 'Pattern', 'Random patterns by their mathematics.', PatternIcon),
   planned('parquetry', 'Parquetry', 'A picture cut from real wood.', ParquetryIcon),
 ];

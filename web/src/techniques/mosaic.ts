@@ -19,6 +19,8 @@ export const mosaic: TechniqueEntry = {
   pieces: 'tiles',
   tools: ['guides', 'regions'],
   layers: ['source', 'direction', 'sites', 'cells', 'stones'],
+  shown: ['stones'],
+  solid: false,
   samples: [
     { name: 'fruit', title: 'Fruit', file: 'samples/fruit.png' },
     { name: 'coast', title: 'Coast', file: 'samples/coast.png' },

@@ -19,7 +19,9 @@ export const pavement: TechniqueEntry = {
   icon: PavementIcon,
   pieces: 'stones',
   tools: ['sketch', 'word'],
-  layers: kLayers,
+  layers: kLayers.filter((layer) => layer !== 'outlines'),
+  shown: ['stones'],
+  solid: false,
   samples: [
     { name: 'waves', title: 'Waves', file: 'samples/waves.png' },
     { name: 'ornament', title: 'Ornament', file: 'samples/ornament.png' },

@@ -1,11 +1,14 @@
 import { Alerts } from './Alerts';
 import { Bar } from './Bar';
 import { DropTarget } from './DropTarget';
+import { FieldView } from './FieldView';
+import { HalfSwitch } from './HalfSwitch';
 import { Header } from './Header';
 import { Panel } from './Panel';
 import { Stage } from './Stage';
 import { Tabs } from './Tabs';
-import { technique } from '../state/store';
+import { half } from '../state/pebbles';
+import { entry, technique } from '../state/store';
 
 export function App() {
   return (
@@ -14,8 +17,10 @@ export function App() {
       <main>
         <div id="work" class="work" role="tabpanel" aria-labelledby={`tab-${technique.value}`}>
           <Header />
-          <div class="stage-frame">
+          <div class="stage-frame" data-solid={entry.value.solid} data-half={half.value}>
             <Stage />
+            {entry.value.solid && <FieldView />}
+            {entry.value.solid && <HalfSwitch />}
             <Alerts />
           </div>
           <Bar />

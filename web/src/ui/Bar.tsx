@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { ChevronDown, Download } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
-import { kFiles, type FileKind } from '../state/files';
+import { fileKinds, type FileKind } from '../state/files';
 import { entry, engine, known, notice, outcome, run, type Outcome, type Run } from '../state/store';
 import { timeLeft } from './time-left';
 
@@ -69,7 +69,7 @@ const Waiting = () => <span>{notice.value || 'Ready'}</span>;
 
 function Downloads() {
   const made = new Set([...(known.value?.formats ?? []), 'job', ...Object.keys(files())]);
-  const offered = kFiles.filter(({ format }) => made.has(format));
+  const offered = fileKinds.value.filter(({ format }) => made.has(format));
   return (
     <div class="downloads">
       {offered.map((kind) => kind.more || <DownloadLink key={kind.format} kind={kind} />)}

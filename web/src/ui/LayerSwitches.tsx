@@ -10,6 +10,7 @@ const kTitles: Record<Exclude<Layer, 'stones'>, string> = {
   direction: 'Direction field',
   sites: 'Sites',
   cells: 'Cells',
+  outlines: 'Outlines',
 };
 
 const capital = (word: string) => word.charAt(0).toUpperCase() + word.slice(1);

@@ -1,6 +1,6 @@
 import { Dices } from 'lucide-preact';
 import { changeSeed, choosePreset, endStep } from '../state/edits';
-import { sameParams } from '../state/form';
+import { sameParams, type Field as FieldModel } from '../state/form';
 import { seedOf } from '../state/hash';
 import { backend, entry, fields, graphics, params, seed } from '../state/store';
 import { generate } from '../state/runner';
@@ -32,8 +32,10 @@ export function Presets() {
 }
 
 export function Parameters() {
-  const simple = fields.value.filter((field) => !field.advanced);
-  const advanced = fields.value.filter((field) => field.advanced);
+  const { front } = entry.value;
+  const isSimple = ({ key, advanced }: FieldModel) => (front ? front.includes(key) : !advanced);
+  const simple = fields.value.filter(isSimple);
+  const advanced = fields.value.filter((field) => !isSimple(field));
   return (
     <section class="group" aria-labelledby="parameters-title">
       <h2 id="parameters-title">Parameters</h2>

@@ -1,24 +1,38 @@
-import { piece } from '../state/store';
+import { outcome, piece } from '../state/store';
+import type { PieceFacts } from '../worker/protocol';
 
 const number = new Intl.NumberFormat('en');
-const area = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+const length = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 
-/** What the pointer is on: "stone 1,204: 71 px², 4 sides". */
+/** What the pointer is on: "stone 1,204: 71 px², 4 sides"; "pebble 12: 54 × 46 mm". */
 export function PieceLabel() {
   const { value: facts } = piece;
   if (!facts) return null;
-  const { kind, id, area: size, vertices, orientation } = facts;
+  const axes = axesOf(facts);
+  const { kind, id, area, vertices, orientation } = facts;
+  const lies = axes?.direction ?? orientation;
   return (
     <p class="piece-label">
       <strong>
         {kind} {number.format(id)}
       </strong>
-      : {area.format(size)} px², {vertices} sides
+      {axes
+        ? `: ${length.format(axes.a)} × ${length.format(axes.b)} mm`
+        : `: ${whole.format(area)} px², ${vertices} sides`}
       <span
         class="piece-direction"
-        style={{ transform: `rotate(${orientation}deg)` }}
-        title={`lies at ${area.format(orientation)}°`}
+        style={{ transform: `rotate(${lies}deg)` }}
+        title={`lies at ${whole.format(lies)}°`}
       />
     </p>
   );
+}
+
+/** Of a piece that was measured: its axes in mm, and where the longer one points, degrees from x towards y. */
+function axesOf({ id }: PieceFacts): { a: number; b: number; direction: number } | null {
+  const { ids, columns } = outcome.value?.pieces ?? {};
+  const i = ids?.indexOf(id) ?? -1;
+  const [a, b, direction] = ['a_mm', 'b_mm', 'a_axis_deg'].map((name) => columns?.[name]?.[i]);
+  return a === undefined || b === undefined || direction === undefined ? null : { a, b, direction };
 }

@@ -3,33 +3,47 @@ import { useEffect, useRef } from 'preact/hooks';
 import { painter } from '../state/page';
 import { entry, outcome, picture, tool } from '../state/store';
 import { listenToGestures } from '../stage/gestures';
-import { stageSize } from '../stage/viewport';
+import { toPicture } from '../stage/view';
+import { stageSize, view } from '../stage/viewport';
+import { toggleAt } from '../state/pebbles';
 import type { Tool } from '../techniques/entry';
 import { Divider } from './Divider';
 import { LayerSwitches } from './LayerSwitches';
 import { PieceLabel } from './PieceLabel';
 import { Guides } from './Guides';
+import { ChosenPebbles, onPebbleKey, PebbleSheet, PebbleTools } from './PebbleTools';
 import { Regions } from './Regions';
 import { Sketch } from './Sketch';
 import { ZoomTools } from './ZoomTools';
 
 /** What lies over the stage while it is drawn on. */
-const kTools: Partial<Record<Tool, ComponentType>> = { sketch: Sketch, guides: Guides, regions: Regions };
+const kTools: Partial<Record<Tool, ComponentType>> = {
+  sketch: Sketch,
+  guides: Guides,
+  regions: Regions,
+  pick: PebbleSheet,
+  split: PebbleSheet,
+  add: PebbleSheet,
+  ruler: PebbleSheet,
+};
 
 export function Stage() {
   const ToolHere = tool.value && kTools[tool.value];
+  const { solid } = entry.value;
   return (
-    <section class="stage" aria-label="Stage">
+    <section class="stage" aria-label="Stage" onKeyDown={(event) => solid && onPebbleKey(event)}>
       <StageCanvas />
+      {solid && <ChosenPebbles />}
       {ToolHere ? (
         <ToolHere />
       ) : (
         <>
-          <Divider />
+          {!solid && <Divider />}
           <LayerSwitches />
           <PieceLabel />
         </>
       )}
+      {solid && <PebbleTools />}
       <ZoomTools />
     </section>
   );
@@ -49,7 +63,7 @@ function StageCanvas() {
       painter.postMessage({ type: 'stage', width, height, ratio: devicePixelRatio });
     });
     resized.observe(element);
-    const silence = listenToGestures(element);
+    const silence = listenToGestures(element, (at) => entry.value.solid && toggleAt(toPicture(view.value, at)));
     return () => {
       resized.disconnect();
       silence();

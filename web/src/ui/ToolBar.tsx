@@ -1,9 +1,35 @@
 // What the toolbars of all drawing tools have.
 
-import { Check, Trash2, Undo2 } from 'lucide-preact';
+import { Check, Trash2, Undo2, type LucideIcon } from 'lucide-preact';
 import { tool } from '../state/store';
 
 export const ToolGap = () => <span class="tool-gap" />;
+
+interface IconToolProps {
+  title: string;
+  hint?: string;
+  Icon: LucideIcon;
+  /** Of a switch: whether it is on. */
+  on?: boolean;
+  /** It can do nothing now. */
+  off?: boolean;
+  act(): void;
+}
+
+/** A button that is a picture. */
+export const IconTool = ({ title, hint = title, Icon, on, off, act }: IconToolProps) => (
+  <button
+    type="button"
+    class="tool"
+    aria-label={title}
+    title={hint}
+    aria-pressed={on}
+    aria-disabled={off}
+    onClick={() => off || act()}
+  >
+    <Icon size={18} aria-hidden />
+  </button>
+);
 
 interface SizesProps {
   brushes: readonly { title: string; width: number }[];

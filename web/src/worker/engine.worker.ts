@@ -118,8 +118,8 @@ async function run(id: number, request: RunRequest): Promise<void> {
     const pieces = parsePieces(engine.artifact('json').bytes);
     const ground = kGround.exec(new TextDecoder().decode(svg.subarray(0, 8192)))?.[1] ?? '#96928a';
     const colours = countColours(pieces);
+    tell({ type: 'done', id, result, milliseconds, colours, pieces: request.pieces ? pieces : null });
     show({ type: 'pieces', id, pieces, ground, scale: request.scale }, transferable(pieces));
-    tell({ type: 'done', id, result, milliseconds, colours });
     if (request.scale === 1) await makeFiles(engine, id, request.formats);
     if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {

@@ -23,14 +23,20 @@ export interface Pieces {
   vertices: Uint16Array;
   /** Degrees, 0 to 180, x towards y. */
   orientations: Float32Array;
+  /** What a technique tells of its pieces besides, a number for each: "b_mm". */
+  columns: Readonly<Record<string, Float32Array>>;
 }
 
 interface Feature {
-  properties: { id: string; colour: string; area: number; vertices: number; orientation: number };
+  properties: { id: string; colour: string; area: number; vertices: number; orientation: number } & Readonly<
+    Record<string, unknown>
+  >;
   geometry: { coordinates: [number, number][][] };
 }
 
 const kNewline = 10;
+/** Of every sheet; the others are the technique's. */
+const kCommon = new Set(['id', 'colour', 'area', 'vertices', 'orientation', 'centroid']);
 
 /**
  * The writer puts each Feature on a line of its own; read line by line, a large sheet needs a fraction of the memory
@@ -70,6 +76,7 @@ function packPieces(features: readonly Feature[], width: number, height: number)
     areas: new Float32Array(count),
     vertices: new Uint16Array(count),
     orientations: new Float32Array(count),
+    columns: columnsOf(features),
   };
   let ring = 0;
   let point = 0;
@@ -95,6 +102,13 @@ function packPieces(features: readonly Feature[], width: number, height: number)
   return pieces;
 }
 
+function columnsOf(features: readonly Feature[]): Record<string, Float32Array> {
+  const names = Object.keys(features[0]?.properties ?? {}).filter((name) => !kCommon.has(name));
+  return Object.fromEntries(
+    names.map((name) => [name, Float32Array.from(features, ({ properties }) => Number(properties[name]))]),
+  );
+}
+
 /** How many pieces have each colour, the most first. */
 export function countColours({ palette, colours }: Pick<Pieces, 'palette' | 'colours'>): ColourCount[] {
   const counts = palette.map((colour) => ({ colour, count: 0 }));
@@ -103,4 +117,6 @@ export function countColours({ palette, colours }: Pick<Pieces, 'palette' | 'col
 }
 
 export const transferable = (pieces: Pieces): Transferable[] =>
-  Object.values(pieces).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+  [...Object.values(pieces), ...Object.values(pieces.columns)].flatMap((value) =>
+    ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : [],
+  );

@@ -35,6 +35,8 @@ export interface RunRequest {
   scale: number;
   /** Files to make once the pieces are there, in this order. */
   formats: string[];
+  /** The page wants the pieces, too. */
+  pieces: boolean;
 }
 
 export type ToEngine =
@@ -55,7 +57,14 @@ export type FromEngine =
   | { type: 'progress'; id: number; fraction: number }
   | { type: 'iteration'; id: number; index: number; last: number }
   | { type: 'warning'; id: number; message: string }
-  | { type: 'done'; id: number; result: RunResult; milliseconds: number; colours: ColourCount[] }
+  | {
+      type: 'done';
+      id: number;
+      result: RunResult;
+      milliseconds: number;
+      colours: ColourCount[];
+      pieces: Pieces | null;
+    }
   | { type: 'problems'; id: number; problems: Problem[] }
   | { type: 'file'; id: number; format: string; blob: Blob }
   | { type: 'job'; id: number; job: Job };
@@ -66,7 +75,7 @@ export type EngineToPainter =
   | { type: 'preview'; id: number; preview: Preview; scale: number }
   | { type: 'pieces'; id: number; pieces: Pieces; ground: string; scale: number };
 
-export const kLayers = ['source', 'edges', 'direction', 'sites', 'cells', 'stones'] as const;
+export const kLayers = ['source', 'edges', 'direction', 'sites', 'cells', 'outlines', 'stones'] as const;
 export type Layer = (typeof kLayers)[number];
 export type Layers = Readonly<Record<Layer, boolean>>;
 

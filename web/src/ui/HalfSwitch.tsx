@@ -1,0 +1,24 @@
+import { half } from '../state/pebbles';
+
+const kHalves = [
+  ['photo', 'Photo'],
+  ['field', '3D'],
+  ['sizes', 'Sizes'],
+] as const;
+
+/** In narrow windows, which have room for one of them only. */
+export const HalfSwitch = () => (
+  <div class="half-switch tool-group" role="group" aria-label="What is shown">
+    {kHalves.map(([name, title]) => (
+      <button
+        type="button"
+        key={name}
+        class="chip"
+        aria-pressed={half.value === name}
+        onClick={() => (half.value = name)}
+      >
+        {title}
+      </button>
+    ))}
+  </div>
+);
