@@ -113,7 +113,7 @@ class App {
 
   /** Until the field in three dimensions shows the stones of the run that is done. */
   async fieldShown() {
-    await this.page.locator('.field-stage[aria-busy=false]').waitFor(patience);
+    await this.page.locator('.field-stage[aria-busy=false]').waitFor({ state: 'attached', ...patience });
   }
 
   /** Presses the mouse at the first place and lets it go at the last. */
