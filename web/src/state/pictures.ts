@@ -47,15 +47,14 @@ export async function usePicture(blob: Blob, name: string): Promise<void> {
 
 /** What a sample wants comes with it, and goes with it: four colours for a picture in four. `keep`: it does not. */
 export async function useSample(sample: Sample, keep = false): Promise<void> {
-  const name = sample.file.slice(sample.file.lastIndexOf('/') + 1);
-  if (!(await take(fetchSample(sample), name, sample.name))) return;
+  if (!(await take(fetchSample(sample), sample.file, sample.name))) return;
   if (!keep) followSample(sample);
   generate();
 }
 
 async function fetchSample({ file, title }: Sample): Promise<Blob> {
   try {
-    const response = await fetch(file);
+    const response = await fetch(`samples/${file}`);
     if (response.ok) return await response.blob();
   } catch {
     // As below.
@@ -73,4 +72,4 @@ function followSample(sample: Sample): void {
 }
 
 export const sampleNamed = (name: string | null): Sample | undefined =>
-  entry.value.samples.find((sample) => sample.name === name || sample.file.endsWith(`/${name}`));
+  entry.value.samples.find((sample) => sample.name === name || sample.file === name);

@@ -6,7 +6,7 @@ import type { Layer } from '../worker/protocol';
 export interface Sample {
   name: string;
   title: string;
-  /** Below the page's address. */
+  /** In samples/; a reduced one of the same name is in samples/thumbnails/. */
   file: string;
   /** Parameters that this picture wants. */
   params?: Params;

@@ -22,8 +22,8 @@ export const mosaic: TechniqueEntry = {
   shown: ['stones'],
   solid: false,
   samples: [
-    { name: 'fruit', title: 'Fruit', file: 'samples/fruit.png' },
-    { name: 'coast', title: 'Coast', file: 'samples/coast.png' },
+    { name: 'fruit', title: 'Fruit', file: 'fruit.png' },
+    { name: 'coast', title: 'Coast', file: 'coast.png' },
   ],
   presets: presetsOf('mosaic'),
   stages: {

@@ -25,7 +25,7 @@ export const pebbles: TechniqueEntry = {
   shown: ['source', 'outlines'],
   solid: true,
   samples: [
-    { name: 'pebbles', title: 'Riverbed', file: 'samples/pebbles.png', params: { ground: true, groundHole: true } },
+    { name: 'pebbles', title: 'Riverbed', file: 'pebbles.png', params: { ground: true, groundHole: true } },
   ],
   presets: presetsOf('pebbles'),
   front: ['segmenter', 'smallest', 'contrast', 'widthM', 'heightFactor', 'flatten'],

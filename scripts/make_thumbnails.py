@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Makes public/samples/thumbnails: every sample reduced to what its button shows, so that a page which opens need not
+decode the pictures themselves.
+
+usage: python3 scripts/make_thumbnails.py     (needs rsvg-convert, Debian package librsvg2-bin)
+"""
+import pathlib
+import subprocess
+
+from make_samples import decoded
+from paint_samples import png
+
+SAMPLES = pathlib.Path(__file__).resolve().parents[1] / 'public/samples'
+WIDTH, HEIGHT = 152, 112  # twice the button's, for fine screens
+
+
+def pixels_of(sample):
+    """(width, height, rows of RGB bytes); a drawing's PNG has a palette, so its original is taken."""
+    drawing = sample.with_suffix('.svg')
+    if drawing.exists():
+        return decoded(subprocess.run(['rsvg-convert', str(drawing)], check=True, capture_output=True).stdout)
+    return decoded(sample.read_bytes())
+
+
+def reduced(width, height, rows):
+    """The middle of the picture in the button's proportions, each pixel the mean of those it stands for."""
+    scale = min(width / WIDTH, height / HEIGHT)
+    left, top = (width - WIDTH * scale) / 2, (height - HEIGHT * scale) / 2
+
+    def span(start, k):
+        return range(int(start + k * scale), max(int(start + k * scale) + 1, int(start + (k + 1) * scale)))
+
+    def mean(columns, lines, c):
+        return sum(rows[y][3 * x + c] for y in lines for x in columns) / (len(columns) * len(lines))
+
+    return [[tuple(mean(span(left, i), span(top, j), c) for c in range(3)) for i in range(WIDTH)]
+            for j in range(HEIGHT)]
+
+
+def main():
+    folder = SAMPLES / 'thumbnails'
+    folder.mkdir(exist_ok=True)
+    for sample in SAMPLES.glob('*.png'):
+        (folder / sample.name).write_bytes(png(reduced(*pixels_of(sample))))
+
+
+if __name__ == '__main__':
+    main()
