@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/pebbles/neighbours.h"
 #include "tessera/pebbles/region_tree.h"
 
 namespace tessera::pebbles {
@@ -76,12 +77,10 @@ void add_around(const cv::Mat3w& lab, const cv::Mat3w& smooth, const cv::Mat1i& 
 }
 
 std::vector<Surface> surfaces_of(const cv::Mat3b& lab, const cv::Mat1i& labels) {
-  int count = 0;
-  for (const int label : labels) count = std::max(count, label);
   cv::Mat3w finer, smooth;
   lab.convertTo(finer, CV_16U, kFiner);
   cv::GaussianBlur(finer, smooth, {0, 0}, kGrainSigma, kGrainSigma, cv::BORDER_REPLICATE);
-  std::vector<Surface> surfaces(count + 1);
+  std::vector<Surface> surfaces(largest_label(labels) + 1);
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x) {
       Surface& own = surfaces[labels(y, x)];

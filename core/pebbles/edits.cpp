@@ -6,6 +6,7 @@
 
 #include "tessera/base/text.h"
 #include "tessera/geometry/scan.h"
+#include "tessera/pebbles/neighbours.h"
 
 namespace tessera::pebbles {
 namespace {
@@ -49,10 +50,6 @@ std::vector<int> labels_under(const std::vector<Point>& points, const cv::Mat1i&
     if (label != 0 && std::find(found.begin(), found.end(), label) == found.end()) found.push_back(label);
   }
   return found;
-}
-
-int largest_label(const cv::Mat1i& labels) {
-  return labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end());
 }
 
 // All become the first, with the ground between them.

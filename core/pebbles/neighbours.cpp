@@ -1,9 +1,14 @@
 #include "tessera/pebbles/neighbours.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace tessera::pebbles {
+
+int largest_label(const cv::Mat1i& labels) {
+  return labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end());
+}
 
 void keep_largest_parts(cv::Mat1i& labels, int count) {
   cv::Mat1i part(labels.size(), 0);  // from 1

@@ -14,6 +14,9 @@ void each_neighbour(const cv::Mat& map, int y, int x, Visit&& visit) {
   if (y + 1 < map.rows) visit(y + 1, x);
 }
 
+// 0 where there is none.
+int largest_label(const cv::Mat1i& labels);
+
 // Of each label 1 to `count` the largest 4-connected part stays, the first among equals; the others become ground, 0.
 void keep_largest_parts(cv::Mat1i& labels, int count);
 

@@ -67,8 +67,7 @@ void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Ma
 }  // namespace
 
 void trim_rims(const cv::Mat3b& lab, cv::Mat1i& labels) {
-  int count = 0;
-  for (const int label : labels) count = std::max(count, label);
+  const int count = largest_label(labels);
   cv::Mat3b calm;
   cv::medianBlur(lab, calm, 3);
   cv::Mat1b lightness;

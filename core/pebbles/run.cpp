@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 #include "tessera/image/resample.h"
@@ -28,12 +29,9 @@ Result<cv::Mat1i> given_labels(const Pictures& pictures) {
                             pictures.photo.width, pictures.photo.height));
   cv::Mat1i labels(given.height, given.width);
   const cv::Mat3b numbers = given.mat();
-  std::vector<int> label_of(std::size_t{1} << 24, 0);
-  int count = 0;
+  std::unordered_map<int, int> label_of{{0, 0}};
   std::transform(numbers.begin(), numbers.end(), labels.begin(), [&](const cv::Vec3b& v) {
-    const int number = v[0] << 16 | v[1] << 8 | v[2];
-    if (number != 0 && label_of[number] == 0) label_of[number] = ++count;
-    return label_of[number];
+    return label_of.try_emplace(v[0] << 16 | v[1] << 8 | v[2], static_cast<int>(label_of.size())).first->second;
   });
   return labels;
 }

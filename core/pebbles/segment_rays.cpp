@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tessera/geometry/scan.h"
+#include "tessera/image/lab.h"
 #include "tessera/pebbles/distinct.h"
 #include "tessera/pebbles/level_edges.h"
 #include "tessera/pebbles/neighbours.h"
@@ -71,7 +72,7 @@ Result<cv::Mat1i> slices_of(const cv::Mat1b& edges, const RunContext& context) {
 Result<cv::Mat1i> segment_by_rays(const cv::Mat3b& photo, const Params& params, const RunContext& context) {
   const cv::Mat1b edges = level_edges(photo, params.median_radius, params.edge_ratio);
   Result<cv::Mat1i> labels = slices_of(edges, context);
-  if (labels) drop_indistinct(photo, params, *labels);
+  if (labels) drop_indistinct(lab_of(photo), params, *labels);
   return labels;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "tessera/base/portable_math.h"
 #include "tessera/image/lab.h"
 #include "tessera/pebbles/distinct.h"
 #include "tessera/pebbles/region_tree.h"
@@ -32,7 +31,7 @@ double looks(const Region& region, const std::vector<Region>& regions) {
 
 // Which regions are pebbles: disjoint ones with the largest sum of area times looks, by dynamic programming from the
 // basins up. A number from 1 for each basin, 0: none.
-std::vector<int> choose(const std::vector<Region>& regions, int basins, std::int64_t pixels, double smallest) {
+std::vector<int> choose(const std::vector<Region>& regions, int basins, std::int64_t pixels) {
   const auto largest = static_cast<std::int64_t>(kLargestShare * static_cast<double>(pixels));
   const int count = static_cast<int>(regions.size());
   std::vector<double> best(count, 0);
@@ -51,9 +50,7 @@ std::vector<int> choose(const std::vector<Region>& regions, int basins, std::int
   for (int r = count - 1; r >= 0; --r) {
     const Region& region = regions[r];
     if (number[r] == kOpen && whole[r]) {
-      const double area = static_cast<double>(region.moments.count);
-      const bool is_pebble = best[r] >= kLeastLooks * area && 4 * area >= kPi * smallest * smallest;
-      number[r] = is_pebble ? ++pebbles : 0;
+      number[r] = best[r] >= kLeastLooks * static_cast<double>(region.moments.count) ? ++pebbles : 0;
     }
     if (region.left >= 0) number[region.left] = number[region.right] = number[r];
   }
@@ -82,8 +79,7 @@ Result<cv::Mat1i> segment_by_tree(const cv::Mat3b& photo, const Params& params, 
   const std::vector<Region> regions = region_tree(basins, strength);
   if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
   context.progress(0.45);
-  cv::Mat1i labels =
-      painted(basins, choose(regions, basins.count, static_cast<std::int64_t>(photo.total()), params.smallest));
+  cv::Mat1i labels = painted(basins, choose(regions, basins.count, static_cast<std::int64_t>(photo.total())));
   trim_rims(lab, labels);
   drop_indistinct(lab, params, labels);
   return labels;
