@@ -24,9 +24,7 @@ export const pebbles: TechniqueEntry = {
   layers: ['source', 'outlines', 'stones'],
   shown: ['source', 'outlines'],
   solid: true,
-  samples: [
-    { name: 'pebbles', title: 'Riverbed', file: 'pebbles.png', params: { ground: true, groundHole: true } },
-  ],
+  samples: [{ name: 'pebbles', title: 'Riverbed', file: 'pebbles.png', params: { ground: true, groundHole: true } }],
   presets: presetsOf('pebbles'),
   front: ['segmenter', 'smallest', 'contrast', 'widthM', 'heightFactor', 'flatten'],
   without: { segmenter: ['labels'] },

@@ -51,7 +51,14 @@ export function PictureInput() {
               void useSample(sample);
             }}
           >
-            <img src={`samples/thumbnails/${sample.file}`} alt="" width={76} height={56} decoding="async" draggable={false} />
+            <img
+              src={`samples/thumbnails/${sample.file}`}
+              alt=""
+              width={76}
+              height={56}
+              decoding="async"
+              draggable={false}
+            />
             {sample.title}
           </button>
         ))}
