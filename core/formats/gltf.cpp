@@ -84,6 +84,8 @@ void append(std::string& bytes, const T* values, std::size_t count) {
 template <class T, class Vector>
 void append_vectors(std::string& bytes, const std::vector<Vector>& values, double scale) {
   constexpr auto size = static_cast<std::size_t>(Vector::length());
+  if constexpr (std::is_same_v<T, typename Vector::value_type> && sizeof(Vector) == size * sizeof(T))
+    if (scale == 1) return append(bytes, values.data(), values.size());
   std::array<T, (size * sizeof(T) + 3) / 4 * 4 / sizeof(T)> out{};
   for (const Vector& value : values) {
     for (std::size_t c = 0; c < size; ++c) {

@@ -1,8 +1,9 @@
 #include "tessera/pebbles/rims.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -16,16 +17,23 @@ constexpr double kNearer = 0.4;     // of the way from gap to body: where the pe
 constexpr int kFaintest = 4,
               kFaintestShare = 6;  // levels, and one part in so many of the body's: what is less dark is shade
 
+// The lightness that a share of each label's pixels does not exceed.
 std::vector<int> body_lightness(const cv::Mat1b& lightness, const cv::Mat1i& labels, int count) {
-  std::vector<std::array<int, 256>> histogram(count + 1);
-  for (auto& h : histogram) h.fill(0);
+  std::vector<std::size_t> start(count + 2, 0);
+  for (const int label : labels) ++start[label + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::uint8_t> levels(labels.total());  // label by label
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x) ++histogram[labels(y, x)][lightness(y, x)];
+    for (int x = 0; x < labels.cols; ++x) levels[next[labels(y, x)]++] = lightness(y, x);
   std::vector<int> body(count + 1, 0);
   for (int label = 1; label <= count; ++label) {
-    double all = 0, darker = 0;
-    for (const int n : histogram[label]) all += n;
-    while (body[label] < 255 && (darker += histogram[label][body[label]]) < kBodyShare * all) ++body[label];
+    const auto first = levels.begin() + static_cast<std::ptrdiff_t>(start[label]);
+    const auto last = levels.begin() + static_cast<std::ptrdiff_t>(start[label + 1]);
+    if (first == last) continue;
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(kBodyShare * static_cast<double>(last - first))) - 1;
+    std::nth_element(first, first + rank, last);
+    body[label] = first[rank];
   }
   return body;
 }
@@ -68,10 +76,9 @@ void flood_rims(const cv::Mat1b& lightness, const std::vector<int>& body, cv::Ma
 
 void trim_rims(const cv::Mat3b& lab, cv::Mat1i& labels) {
   const int count = largest_label(labels);
-  cv::Mat3b calm;
-  cv::medianBlur(lab, calm, 3);
   cv::Mat1b lightness;
-  cv::extractChannel(calm, lightness, 0);
+  cv::extractChannel(lab, lightness, 0);
+  cv::medianBlur(lightness.clone(), lightness, 3);
   flood_rims(lightness, body_lightness(lightness, labels, count), labels);
   keep_largest_parts(labels, count);
 }

@@ -55,24 +55,27 @@ struct Pass {
   int a, b, level;
 };
 
-// Lowest first.
-std::vector<Pass> passes(const Basins& basins, const cv::Mat1w& strength) {
-  std::vector<Pass> all;
+template <class Visit>
+void each_pass(const Basins& basins, const cv::Mat1w& strength, Visit&& visit) {
   const cv::Mat1i& labels = basins.labels;
   const auto meet = [&](int y, int x, int v, int u) {
     if (labels(y, x) != labels(v, u))
-      all.push_back({labels(y, x), labels(v, u), std::max<int>(strength(y, x), strength(v, u))});
+      visit(Pass{labels(y, x), labels(v, u), std::max<int>(strength(y, x), strength(v, u))});
   };
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x) {
       if (x + 1 < labels.cols) meet(y, x, y, x + 1);
       if (y + 1 < labels.rows) meet(y, x, y + 1, x);
     }
+}
+
+// Lowest first.
+std::vector<Pass> passes(const Basins& basins, const cv::Mat1w& strength) {
   std::vector<std::size_t> start(65537, 0);
-  for (const Pass& pass : all) ++start[pass.level + 1];
+  each_pass(basins, strength, [&](const Pass& pass) { ++start[pass.level + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Pass> sorted(all.size());
-  for (const Pass& pass : all) sorted[start[pass.level]++] = pass;
+  std::vector<Pass> sorted(start.back());
+  each_pass(basins, strength, [&](const Pass& pass) { sorted[start[pass.level]++] = pass; });
   return sorted;
 }
 

@@ -33,7 +33,7 @@ void keep_freed_memory() {
   mallopt(M_TOP_PAD, 1 << 26);
   // NOLINTEND(concurrency-mt-unsafe)
   // The heap's beginning in huge pages: a block asked for and freed at once stays a part of it.
-  constexpr std::size_t kBlock = 256 << 20, kPage = 2 << 20;
+  constexpr std::size_t kBlock = 1024 << 20, kPage = 2 << 20;
   if (void* const block = std::malloc(kBlock)) {
     const auto first = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) / kPage * kPage;
     madvise(reinterpret_cast<void*>(first), kBlock - kPage, MADV_HUGEPAGE);  // a wish; without it all works as well
