@@ -15,7 +15,8 @@
 namespace tessera::pebbles {
 namespace {
 
-constexpr int kAround = 3;               // px: width of what lies around a pebble
+constexpr double kLeastCut = 2;  // times the smallest diameter: what shows of a pebble that the picture's border cuts
+constexpr int kAround = 3;       // px: width of what lies around a pebble
 constexpr double kGrainSigma = 1.5;      // px: what is finer is grain
 constexpr double kLeastSolid = 0.7;      // area against that of the convex hull
 constexpr double kLeastSolidDark = 0.9;  // of what is darker than what is around: mostly a gap between pebbles
@@ -40,6 +41,7 @@ struct Tone {
 struct Surface {
   Tone inside, around;
   std::int64_t grain = 0;    // sum of differences from the smoothed picture
+  bool cut = false;          // by the picture's border
   int border = 0, open = 0;  // sides of pixels along the border; those across which nothing changes
   // Difference between the mean colours against the mean grain of the surface.
   bool darker_than_around() const { return inside.mean(0) < around.mean(0); }
@@ -85,6 +87,7 @@ std::vector<Surface> surfaces_of(const cv::Mat3b& lab, const cv::Mat1i& labels) 
     for (int x = 0; x < labels.cols; ++x) {
       Surface& own = surfaces[labels(y, x)];
       own.inside.add(finer(y, x));
+      own.cut |= x == 0 || y == 0 || x + 1 == labels.cols || y + 1 == labels.rows;
       own.grain += sum_of_differences(finer(y, x), smooth(y, x));
       if (x > 0 && labels(y, x) != labels(y, x - 1)) add_around(finer, smooth, labels, {x, y}, {1, 0}, surfaces);
       if (y > 0 && labels(y, x) != labels(y - 1, x)) add_around(finer, smooth, labels, {x, y}, {0, 1}, surfaces);
@@ -102,7 +105,8 @@ void drop_indistinct(const cv::Mat3b& lab, const Params& params, cv::Mat1i& labe
     const double area = static_cast<double>(surfaces[label].inside.count);
     const double solidity = area / hulls[label];
     const bool is_gap = surfaces[label].darker_than_around() && solidity < kLeastSolidDark;
-    if (4 * area >= kPi * params.smallest * params.smallest && solidity >= kLeastSolid && !is_gap &&
+    const double smallest = surfaces[label].cut ? kLeastCut * params.smallest : params.smallest;
+    if (4 * area >= kPi * smallest * smallest && solidity >= kLeastSolid && !is_gap &&
         surfaces[label].open <= kMostOpen * surfaces[label].border &&
         surfaces[label].distinctness() >= params.contrast)
       number[label] = static_cast<int>(label);

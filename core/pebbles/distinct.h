@@ -7,9 +7,9 @@
 
 namespace tessera::pebbles {
 
-// Takes out the labels of regions too small or too hollow, darker ones first, or that stand out too little: whose
-// mean colour differs from that of what lies around by less than params.contrast times the grain of their own
-// surface.
+// Takes out the labels of regions too small, those sooner that the picture's border cuts, or too hollow, darker ones
+// sooner, or that stand out too little: whose mean colour differs from that of what lies around by less than
+// params.contrast times the grain of their own surface.
 void drop_indistinct(const cv::Mat3b& lab, const Params& params, cv::Mat1i& labels);
 
 }  // namespace tessera::pebbles

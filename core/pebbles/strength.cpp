@@ -15,7 +15,7 @@ constexpr double kSmoothing = 1.5;  // px, sigma: of the strength itself; less m
 
 cv::Mat blurred(const cv::Mat& picture, double sigma) {
   cv::Mat out;
-  cv::GaussianBlur(picture, out, {0, 0}, sigma, sigma, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(picture, out, {0, 0}, sigma, sigma, cv::BORDER_REFLECT_101);
   return out;
 }
 

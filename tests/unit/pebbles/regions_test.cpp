@@ -9,6 +9,7 @@
 
 #include "labels.h"
 #include "tessera/base/portable_math.h"
+#include "tessera/pebbles/distinct.h"
 #include "tessera/pebbles/neighbours.h"
 #include "tessera/pebbles/region_tree.h"
 #include "tessera/pebbles/rims.h"
@@ -253,6 +254,42 @@ TEST(Rims, LightOnesStay) {
   trim_rims(r.photo, r.labels);
   EXPECT_EQ(cv::countNonZero(r.labels != before), 0);
 }
+
+// A light disc on dark ground, faintly grained: whether it counts as a pebble. A disc of the smallest size has
+// radius 4.
+bool is_distinct(double radius, cv::Point2d middle, int lightness = 200, double hollow = 0) {
+  Rng rng(1, RngPurpose::kNoise);
+  cv::Mat3b photo(60, 80);
+  cv::Mat1i labels(photo.size(), 0);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      const double apart = std::hypot(x - middle.x, y - middle.y);
+      labels(y, x) = apart <= radius && apart >= hollow ? 1 : 0;
+      photo(y, x) = cv::Vec3b::all(static_cast<std::uint8_t>((labels(y, x) != 0 ? lightness : 60) + below(rng, 4)));
+    }
+  Params params;
+  params.smallest = 8;
+  drop_indistinct(photo, params, labels);
+  return pixels_of(labels, 1) > 0;
+}
+
+TEST(Distinct, ALightDiscIsAPebble) { EXPECT_TRUE(is_distinct(6, {40, 30})); }
+
+TEST(Distinct, SmallOnesAreNone) {
+  EXPECT_TRUE(is_distinct(4.5, {40, 30}));
+  EXPECT_FALSE(is_distinct(3.2, {40, 30}));
+}
+
+TEST(Distinct, OfPebblesThatThePictureCutsMoreHasToShow) {
+  for (const cv::Point2d middle : {cv::Point2d{0, 30}, {79, 30}, {40, 0}, {40, 59}}) {
+    EXPECT_FALSE(is_distinct(9, middle)) << middle;  // half of it: 127 px^2, less than a disc of 16 px across
+    EXPECT_TRUE(is_distinct(13, middle)) << middle;  // 265 px^2
+  }
+}
+
+TEST(Distinct, HollowOnesAreNone) { EXPECT_FALSE(is_distinct(14, {40, 30}, 200, 10)); }
+
+TEST(Distinct, WhatDoesNotStandOutIsNone) { EXPECT_FALSE(is_distinct(10, {40, 30}, 61)); }
 
 TEST(Rims, NothingIsAdded) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
