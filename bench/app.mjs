@@ -10,8 +10,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
 import { launch } from '../tests/e2e/browser/chromium.mjs';
-import { root } from '../tests/e2e/browser/app.mjs';
 import { serve } from '../tests/e2e/browser/serve.mjs';
+import { root } from '../tests/e2e/root.mjs';
 
 const drawing = process.argv[2] ?? join(root, 'public/samples/waves.png');
 const site = join(root, 'web/dist');

@@ -3,7 +3,8 @@
 // usage: node scripts/shoot_presets.mjs     (after npm run build)
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { root, withApp } from '../tests/e2e/browser/app.mjs';
+import { closeBrowser, withApp } from '../tests/e2e/browser/app.mjs';
+import { root } from '../tests/e2e/root.mjs';
 
 const WIDTH = 152;
 const HEIGHT = 114;
@@ -47,3 +48,4 @@ await withApp({ isolated: true, hash: '#technique=pebbles', viewport, reducedMot
     writeFileSync(join(root, 'public', picture), Buffer.from(await reduced(page, screenshot), 'base64'));
   }
 });
+await closeBrowser();

@@ -2,11 +2,14 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test } from 'node:test';
-import { root, withApp } from './browser/app.mjs';
+import { after, test } from 'node:test';
+import { closeBrowser, withApp } from './browser/app.mjs';
 import { checkLook, looks } from './browser/looks.mjs';
 import { inFolder, nativeSvg } from './native.mjs';
+import { root } from './root.mjs';
 import { assertSameStones } from './same_stones.mjs';
+
+after(closeBrowser);
 
 const sample = (name) => join(root, 'public/samples', `${name}.png`);
 const ownDrawings = [sample('ornament'), sample('tiles')];

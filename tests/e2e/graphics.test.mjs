@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { root } from './browser/app.mjs';
 import { launch } from './browser/chromium.mjs';
 import { serve } from './browser/serve.mjs';
+import { root } from './root.mjs';
 
 async function pave(threads, loseAt) {
   const host = await serve(

@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { root } from './browser/app.mjs';
+import { root } from './root.mjs';
 
 const tessera = join(root, 'build/native-release/bin/tessera');
 

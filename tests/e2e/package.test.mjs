@@ -5,11 +5,10 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { fileURLToPath } from 'node:url';
 import { createTessera, TesseraError } from 'tessera-wasm';
+import { root } from './root.mjs';
 import { assertSameStones } from './same_stones.mjs';
 
-const root = fileURLToPath(new URL('../..', import.meta.url));
 const tessera = join(root, 'build/native-release/bin/tessera');
 
 /** A black disc on white: the pixels, and the same as a BMP file. */

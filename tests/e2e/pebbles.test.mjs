@@ -2,11 +2,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { validateBytes } from 'gltf-validator';
-import { root, withApp } from './browser/app.mjs';
+import { closeBrowser, withApp } from './browser/app.mjs';
 import { checkLook, looks } from './browser/looks.mjs';
 import { inFolder, nativeFile } from './native.mjs';
+import { root } from './root.mjs';
+
+after(closeBrowser);
 
 const photo = readFileSync(join(root, 'public/samples/pebbles.png'));
 const size = [900, 600]; // of the photo
@@ -92,7 +95,7 @@ for (const isolated of [true, false]) {
         assert.deepEqual(verticesOf(gltf), verticesOf(native));
       });
       assert.equal((await app.download('CSV')).text.trim().split('\n').length, 1 + pebblesOf(gltf));
-    assert.equal(await countOf(app), pebblesOf(gltf));
+      assert.equal(await countOf(app), pebblesOf(gltf));
       assert.equal([...(await app.download('SVG')).text.matchAll(/<path /g)].length, pebblesOf(gltf));
       const outlines = await app.download('PNG');
       assert.equal(outlines.name, 'pebbles.outlines.png');

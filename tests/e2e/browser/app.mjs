@@ -1,13 +1,16 @@
 // The app as a user meets it: a page in Chromium, what it says and does, and what must never happen on it.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { fileURLToPath } from 'node:url';
+import { root } from '../root.mjs';
 import { launch } from './chromium.mjs';
 import { serve } from './serve.mjs';
 
-export const root = fileURLToPath(new URL('../../..', import.meta.url));
 const site = `${root}/web/dist`;
 const patience = { timeout: 120_000 };
+
+// One for all tests of a file: a browser takes seconds for its first page, whose shaders it compiles.
+let browser;
+export const closeBrowser = () => browser?.close();
 
 /**
  * Opens the app and hands it to `use`; afterwards there may be no complaint on its console and no request abroad.
@@ -15,10 +18,10 @@ const patience = { timeout: 120_000 };
  */
 export async function withApp({ isolated, viewport = { width: 1440, height: 900 }, hash = '', scripts = {}, ...options }, use) {
   const host = await serve({ '/': site }, { isolated });
-  const browser = await launch();
+  if (!browser?.isConnected()) browser = await launch();
+  const context = await browser.newContext({ viewport, acceptDownloads: true, ...options });
   const complaints = [];
   try {
-    const context = await browser.newContext({ viewport, acceptDownloads: true, ...options });
     for (const [address, body] of Object.entries(scripts))
       await context.route(address, (route) => route.fulfill({ contentType: 'text/javascript', body }));
     context.on('request', (request) => {
@@ -35,7 +38,7 @@ export async function withApp({ isolated, viewport = { width: 1440, height: 900 
     await use(new App(page, host), page);
     assert.deepEqual(complaints, []);
   } finally {
-    await browser.close();
+    await context.close();
     await host.stop();
   }
 }
