@@ -1,7 +1,8 @@
 // The browser app's figures: what the first load weighs and takes, the longest time the page stood still while a job
-// ran, and a job in Chromium beside the same one natively. Needs native-release and the built site.
+// ran, and a job of each technique in Chromium beside the same one natively. Needs native-release and the built site.
 //
 //   node bench/app.mjs [DRAWING.png]
+//   node bench/app.mjs --jobs [TECHNIQUE]...      nothing but the jobs, of all techniques or of these
 //
 // "Interactive" is when somebody who has just arrived can work, whether the engine is there or not: watch() below.
 import { execFileSync } from 'node:child_process';
@@ -13,7 +14,14 @@ import { launch } from '../tests/e2e/browser/chromium.mjs';
 import { serve } from '../tests/e2e/browser/serve.mjs';
 import { root } from '../tests/e2e/root.mjs';
 
-const drawing = process.argv[2] ?? join(root, 'public/samples/waves.png');
+const [jobsOnly, words] = [process.argv[2] === '--jobs', process.argv.slice(2)];
+const sample = (name) => join(root, 'public/samples', name);
+const jobs = [
+  { technique: 'pavement', command: 'pave', role: 'drawing', picture: sample('waves.png'), format: 'svg' },
+  { technique: 'mosaic', command: 'mosaic', role: 'photo', picture: sample('fruit.png'), format: 'svg' },
+  { technique: 'pebbles', command: 'pebbles', role: 'photo', picture: sample('pebbles.png'), format: 'glb' },
+];
+if (!jobsOnly && words.length > 0) jobs[0].picture = words[0];
 const site = join(root, 'web/dist');
 const kRuns = 7;
 const kRounds = 4; // of native and Chromium in turn
@@ -28,37 +36,36 @@ function weight(variant) {
   return files.reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(site, name))).length, 0);
 }
 
-/** Milliseconds of runs after the first, by what the native program reports: decoding to SVG. */
-function native(threads) {
+/** Milliseconds of the best run, by what the native program reports: from pixels to the file's bytes. */
+function native({ command, picture, format }, threads) {
   const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
   const report = join(folder, 'report.json');
   const times = Array.from({ length: kRuns }, () => {
     execFileSync(join(root, 'build/native-release/bin/tessera'), [
-      ...['pave', drawing, '-o', join(folder, 'stones.svg'), '--backend', 'cpu', '--threads', threads, '--quiet'],
+      ...[command, picture, '-o', join(folder, `pieces.${format}`), '--backend', 'cpu', '--threads', threads, '--quiet'],
       ...['--report', report],
     ]);
     const { stages } = JSON.parse(readFileSync(report, 'utf8'));
-    return stages.filter(({ name }) => ['fields', 'diagram', 'stones', 'format'].includes(name)).reduce((sum, { ms }) => sum + ms, 0);
+    return stages.filter(({ name }) => !['decode', 'backend', 'write'].includes(name)).reduce((sum, { ms }) => sum + ms, 0);
   });
   rmSync(folder, { recursive: true });
   return Math.min(...times);
 }
 
 /** The same in a worker of Chromium, without the page around it. */
-async function inBrowser(browser, threads) {
+async function inBrowser(browser, { technique, role, picture, format }, threads) {
   const host = await serve({ '/package/': join(root, 'web/package/dist'), '/': join(root, 'bench/app') }, { isolated: true });
   const page = await browser.newPage();
   await page.goto(`${host.address}/index.html`);
-  const picture = readFileSync(drawing).toString('base64');
   const times = await page.evaluate(
-    ([bytes, count, workers]) =>
+    (task) =>
       new Promise((resolve, reject) => {
         const worker = new Worker('worker.mjs', { type: 'module' });
         worker.onmessage = ({ data }) => resolve(data);
         worker.onerror = (event) => reject(new Error(event.message));
-        worker.postMessage({ bytes, count, threads: workers });
+        worker.postMessage(task);
       }),
-    [picture, kRuns + 1, threads],
+    { technique, role, format, bytes: readFileSync(picture).toString('base64'), count: kRuns + 1, threads },
   );
   await page.close();
   await host.stop();
@@ -143,22 +150,33 @@ async function visits(browser) {
   return (figure) => `${Math.round(median(of(figure)))} ms (${of(figure).map(Math.round).join(', ')})`;
 }
 
-for (const variant of ['threads', 'single'])
-  say(`first load, ${variant}: wasm + js + css, brotli`, `${(weight(variant) / 1e6).toFixed(2)} MB`);
-const browser = await launch();
-const figure = await visits(browser);
-say('interactive: form, sample, a click answered', figure('interactive'));
-say('a second click, Generate, answered', figure('restarted'));
-say('engine ready', figure('engine'));
-say('first stones', figure('stones'));
-say('the page stood still at most, while a job ran (0: < 50)', figure('still'));
-for (const threads of [1, 2]) {
-  // In turn, and the best of each: what else the machine does should not count for one of them alone.
+async function firstLoad(browser) {
+  for (const variant of ['threads', 'single'])
+    say(`first load, ${variant}: wasm + js + css, brotli`, `${(weight(variant) / 1e6).toFixed(2)} MB`);
+  const figure = await visits(browser);
+  say('interactive: form, sample, a click answered', figure('interactive'));
+  say('a second click, Generate, answered', figure('restarted'));
+  say('engine ready', figure('engine'));
+  say('first stones', figure('stones'));
+  say('the page stood still at most, while a job ran (0: < 50)', figure('still'));
+}
+
+/** In turn, and the best of each: what else the machine does should not count for one of them alone. */
+async function compare(browser, job, threads) {
   let [there, here] = [Infinity, Infinity];
   for (let round = 0; round < kRounds; ++round) {
-    there = Math.min(there, await inBrowser(browser, threads));
-    here = Math.min(here, native(threads));
+    there = Math.min(there, await inBrowser(browser, job, threads));
+    here = Math.min(here, native(job, threads));
   }
-  say(`${threads} thread(s): Chromium, native, ratio`, `${there.toFixed(0)} ms, ${here.toFixed(0)} ms, ${(there / here).toFixed(2)}`);
+  say(
+    `${job.technique}, ${threads} thread(s): Chromium, native, ratio`,
+    `${there.toFixed(0)} ms, ${here.toFixed(0)} ms, ${(there / here).toFixed(2)}`,
+  );
 }
+
+const browser = await launch();
+if (!jobsOnly) await firstLoad(browser);
+const asked = jobsOnly ? words.slice(1) : [];
+for (const job of jobs.filter(({ technique }) => asked.length === 0 || asked.includes(technique)))
+  for (const threads of [1, 2]) await compare(browser, job, threads);
 await browser.close();

@@ -58,4 +58,22 @@ struct Histogram {
 };
 std::string write_histogram_svg(const Histogram& histogram);
 
+// Curves through points in their order, as an SVG plot with axes, a legend and single places marked. Values are
+// finite, x on a logarithmic axis above 0.
+struct Curves {
+  std::string title, x_label, y_label;
+  bool logarithmic = false;  // the axis of x; that of y is linear and has 0
+  struct Series {
+    std::string name;
+    std::vector<Point> points;
+  };
+  std::vector<Series> series;
+  struct Mark {
+    std::string label;
+    Point at;
+  };
+  std::vector<Mark> marks = {};
+};
+std::string write_curves_svg(const Curves& curves);
+
 }  // namespace tessera

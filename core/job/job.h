@@ -53,7 +53,7 @@ struct JobRequest {
 // A figure of the paper, drawn from a run.
 struct Plot {
   std::string name;  // "vertices"
-  Histogram histogram;
+  std::variant<Histogram, Curves> figure;
 };
 
 // What a technique has made, before it is bytes, in terms that all of them share.

@@ -1,5 +1,7 @@
 #include "tessera/job/pebbles_job.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "tessera/job/statistics.h"
@@ -10,6 +12,7 @@ namespace tessera {
 namespace {
 
 constexpr int kSizeBins = 30;
+constexpr int kPercents[] = {16, 50, 84};
 constexpr int kMostLabels = 65535;  // of a 16-bit picture
 
 Histogram sizes_plot(const std::vector<double>& b_axes) {
@@ -17,6 +20,21 @@ Histogram sizes_plot(const std::vector<double>& b_axes) {
   plot.title = "Grain sizes";
   plot.x_label = "b axis, mm";
   plot.y_label = "number";
+  return plot;
+}
+
+// As field science draws them: what part of the grains, and of the area that they cover, is finer than a size.
+Curves cumulative_plot(const std::vector<double>& b_axes, const std::vector<pebbles::Grain>& grains) {
+  std::vector<double> areas;
+  for (const pebbles::Grain& grain : grains) areas.push_back(grain.area);
+  Curves plot{"Grain sizes", "b axis, mm", "finer, %", true, {}, {}};
+  plot.series = {{"by number", cumulative(b_axes)}, {"by area", cumulative(b_axes, areas)}};
+  for (const int percent : kPercents) {
+    const double size = pebbles::percentile(b_axes, percent / 100.0);
+    if (size > 0)
+      plot.marks.push_back({fmt::format("D{} {:.3g} mm, psi {:.2f}", percent, size, std::log2(size)),
+                            {size, static_cast<double>(percent)}});
+  }
   return plot;
 }
 
@@ -68,12 +86,12 @@ Result<Outcome> run_pebbles_job(const Job& job, const Pictures& pictures, Raster
   outcome.counts = {{"pebbles", static_cast<std::int64_t>(output->pebbles.size())}};
   outcome.metrics = {{"coverage", covered / (static_cast<double>(photo.width) * photo.height)},
                      {"mm_per_px", mm_per_px}};
-  for (const int percent : {16, 50, 84}) {
+  for (const int percent : kPercents) {
     const double size = pebbles::percentile(b_axes, percent / 100.0);
     outcome.metrics["d" + std::to_string(percent) + "_mm"] = size;
     if (size > 0) outcome.metrics["d" + std::to_string(percent) + "_psi"] = std::log2(size);
   }
-  outcome.plots.push_back({"sizes", sizes_plot(b_axes)});
+  outcome.plots = {{"sizes", sizes_plot(b_axes)}, {"cumulative", cumulative_plot(b_axes, output->grains)}};
   outcome.rasters = {{"labels.png", [labels = output->labels] { return labels_raster(labels); }},
                      {"overlay.png", [pixels = photo.mat().clone(), pebbles = std::move(output->pebbles)] {
                         return pebbles::overlay(pixels, pebbles);

@@ -91,6 +91,11 @@ void check_pictures(const Technique& technique, const Pictures& pictures, Proble
   }
 }
 
+std::string write_plot(const Plot& plot) {
+  if (const auto* curves = std::get_if<Curves>(&plot.figure)) return write_curves_svg(*curves);
+  return write_histogram_svg(std::get<Histogram>(plot.figure));
+}
+
 Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, const JobRequest& request,
                                                     const RunContext& context) {
   context.stage("format");
@@ -103,10 +108,8 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
     context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));
   }
   if (request.plots) {
-    for (const Plot& plot : outcome.plots) {
-      artifacts.push_back(
-          {fmt::format("plots/{}.svg", plot.name), "image/svg+xml", write_histogram_svg(plot.histogram)});
-    }
+    for (const Plot& plot : outcome.plots)
+      artifacts.push_back({fmt::format("plots/{}.svg", plot.name), "image/svg+xml", write_plot(plot)});
   }
   context.progress(1);
   return artifacts;

@@ -52,4 +52,20 @@ Histogram value_histogram(const std::string& name, const std::vector<double>& va
   return histogram;
 }
 
+std::vector<Point> cumulative(const std::vector<double>& values, const std::vector<double>& weights) {
+  if (values.empty()) return {};
+  std::vector<Point> sorted;  // value, weight
+  for (std::size_t i = 0; i < values.size(); ++i) sorted.push_back({values[i], weights.empty() ? 1 : weights[i]});
+  std::sort(sorted.begin(), sorted.end(), [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  double whole = 0, below = 0;
+  for (const Point& p : sorted) whole += p.y;
+  std::vector<Point> points = {{sorted.front().x, 0}};
+  for (const Point& p : sorted) {
+    points.push_back({p.x, 100 * (below + p.y / 2) / whole});
+    below += p.y;
+  }
+  points.push_back({sorted.back().x, 100});
+  return points;
+}
+
 }  // namespace tessera

@@ -22,4 +22,9 @@ Histogram count_histogram(const std::vector<CountSeries>& series);
 // its middle, and the last one takes the largest value in.
 Histogram value_histogram(const std::string& name, const std::vector<double>& values, int bins);
 
+// What percentage of all weight is that of values up to each one: (value, percent) from the least value to the
+// largest, neither ever falling, from 0 to 100. Half of a value's weight counts at the value itself. Weights, one a
+// value, are above 0; none stands for equal ones. Without values there are no points.
+std::vector<Point> cumulative(const std::vector<double>& values, const std::vector<double>& weights = {});
+
 }  // namespace tessera

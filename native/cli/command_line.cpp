@@ -46,7 +46,7 @@ class SettingFlags {
     add("--format", settings_.format, "KIND", "Kind of an output whose name has no extension, as -");
     add("--report", settings_.report, "FILE", "Write times, counts and checksums as JSON");
     add("--save-job", settings_.save_job, "FILE", "Write the job as JSON, for tessera run");
-    add("--plots", settings_.plots, "FOLDER", "Write the paper's histograms as SVG");
+    add("--plots", settings_.plots, "FOLDER", "Write histograms and curves as SVG");
     command.add_flag("--quiet", settings_.quiet, "Neither bar nor warnings")->group(kGroup);
   }
 

@@ -5,6 +5,7 @@ specification; no other module than the standard library's is needed.
 """
 import hashlib
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -15,6 +16,7 @@ import sys
 import tempfile
 import unittest
 import zlib
+from xml.etree import ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.path.abspath(os.environ.get('TESSERA', 'tessera'))
@@ -490,6 +492,26 @@ class PebblesTest(CliTest):
         self.assertAlmostEqual(b_mm, 440, delta=10)
         header = struct.unpack('>IIBB', self.bytes_of('p.labels.png')[16:26])
         self.assertEqual(header, (180, 120, 16, 0))
+
+    def test_cumulative_plot_agrees_with_the_report(self):
+        self.succeed('pebbles', 'beach.png', '--width-m', '1.8', '--plots', 'plots', '--report', 'r.json')
+        self.assertEqual(self.names(), ['beach.png', 'disc.png', 'plots/cumulative.svg', 'plots/sizes.svg', 'r.json'])
+        metrics = json.loads(self.bytes_of('r.json'))['metrics']
+        svg = ElementTree.fromstring(self.bytes_of('plots/cumulative.svg'))
+        texts = [(t.text, t.attrib) for t in svg.findall('.//{*}text')]
+        ticks = [(float(text), float(a['x'])) for text, a in texts if a.get('text-anchor') == 'middle' and text[0].isdigit()]
+        (low, left), (high, right) = ticks[0], ticks[-1]
+        dots = [float(dot.attrib['cx']) for dot in svg.findall('.//{*}circle')]
+        self.assertEqual(len(dots), 3)
+        for percent, x in zip([16, 50, 84], dots):
+            size = metrics[f'd{percent}_mm']
+            self.assertAlmostEqual(low * (high / low) ** ((x - left) / (right - left)) / size, 1, places=3)
+            self.assertIn(f'D{percent} {size:.3g} mm, psi {math.log2(size):.2f}', [text for text, _ in texts])
+        curves = [p.attrib['d'] for p in svg.findall('.//{*}path') if p.attrib.get('stroke-width')]
+        self.assertEqual(len(curves), 2)  # by number and by area
+        for curve in curves:
+            points = [tuple(map(float, p.split(' '))) for p in curve[1:].split('L')]
+            self.assertEqual(sorted(points, key=lambda p: (p[0], -p[1])), points)
 
     def test_names_for_some_outputs(self):
         self.succeed('pebbles', 'beach.png', '--labels', 'a', '--overlay', 'b', '-o', 'p.labels.png')

@@ -7,6 +7,8 @@ import { root } from './root.mjs';
 
 const tessera = join(root, 'build/native-release/bin/tessera');
 
+export const native = (...words) => execFileSync(tessera, [...words, '--backend', 'cpu', '--quiet']);
+
 export async function inFolder(use) {
   const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
   try {
@@ -22,7 +24,7 @@ export function nativeFile(folder, job, pictures, ending) {
   for (const [role, name] of Object.entries(inputs)) writeFileSync(join(folder, name), pictures[role]);
   writeFileSync(join(folder, 'job.json'), job);
   const output = join(folder, `native.${ending}`);
-  execFileSync(tessera, ['run', join(folder, 'job.json'), '-o', output, '--backend', 'cpu', '--quiet']);
+  native('run', join(folder, 'job.json'), '-o', output);
   return readFileSync(output);
 }
 

@@ -9,6 +9,7 @@ namespace tessera {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 TEST(StatisticsTest, MeanAndVariation) {
   EXPECT_EQ(mean_of({}), 0);
@@ -39,6 +40,13 @@ TEST(StatisticsTest, NothingStillMakesAHistogram) {
   EXPECT_EQ(histogram.bins.size(), 30u);
   EXPECT_EQ(std::accumulate(histogram.series[0].values.begin(), histogram.series[0].values.end(), 0.0), 0);
   EXPECT_EQ(value_histogram("a", {0, 0}, 3).series[0].values[0], 2);
+}
+
+TEST(StatisticsTest, HalfOfAValueIsBelowItself) {
+  EXPECT_THAT(cumulative({}), IsEmpty());
+  EXPECT_THAT(cumulative({3}), ElementsAre(Point{3, 0}, Point{3, 50}, Point{3, 100}));
+  EXPECT_THAT(cumulative({8, 2}), ElementsAre(Point{2, 0}, Point{2, 25}, Point{8, 75}, Point{8, 100}));
+  EXPECT_THAT(cumulative({8, 2}, {3, 1}), ElementsAre(Point{2, 0}, Point{2, 12.5}, Point{8, 62.5}, Point{8, 100}));
 }
 
 }  // namespace
