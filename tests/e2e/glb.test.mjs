@@ -4,9 +4,9 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { validateBytes } from 'gltf-validator';
-import { root } from './browser/app.mjs';
 import { luma, similarity, topView } from './browser/top_view.mjs';
 import { inFolder, native } from './native.mjs';
+import { root } from './root.mjs';
 
 const sample = join(root, 'public/samples/pebbles.png');
 

@@ -1,6 +1,6 @@
 // A field of pebbles from above beside its photo, and how alike the two are.
 import { basename, dirname, join } from 'node:path';
-import { root } from './app.mjs';
+import { root } from '../root.mjs';
 import { launch } from './chromium.mjs';
 import { serve } from './serve.mjs';
 
