@@ -12,11 +12,13 @@ namespace tessera::mosaic {
 
 enum class Style { kVermiculatum, kHausner };
 enum class Shape { kQuad, kSquare, kRectangle, kEllipse, kCell };
+enum class SizesBy { kDetail, kSaliency };
 enum class Sample { kMean, kPoint };
 
 struct Params {
   int tiles = 2000;
   double variation = 2;
+  SizesBy sizes_by = SizesBy::kDetail;
   double grout = 1;
   std::string palette;
   Style style = Style::kVermiculatum;
@@ -24,6 +26,7 @@ struct Params {
   double aspect = 1;
   double delta = 0.8;
   bool clip = true;
+  bool seamless = false;
   int iterations = 20;
   double tolerance = 0;
   double avoidance = 0.25;
@@ -55,6 +58,10 @@ void visit(Visitor& v, Params& p) {
        .ui_max = 8,
        .help = "Side of the largest tiles, in plain parts, against the smallest, in detailed ones; 1 makes all alike",
        .symbol = "alpha"});
+  v.choice(
+      p.sizes_by, {.key = "sizesBy", .help = "Where tiles are small", .advanced = true},
+      {{SizesBy::kDetail, "detail", "where much happens: where the picture's gradient is long"},
+       {SizesBy::kSaliency, "saliency", "in what draws the eye: where colours are far from the picture's mean"}});
   v.number(p.grout, {.key = "grout",
                      .min = 0,
                      .max = 64,
@@ -74,6 +81,10 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.style, {.key = "style", .help = "How tiles are laid"},
            {{Style::kVermiculatum, "opus-vermiculatum", "rows along the contours, then rows along these"},
             {Style::kHausner, "hausner", "the paper's: random first positions, edges by avoidance alone"}});
+  v.flag(
+      p.seamless,
+      {.key = "seamless",
+       .help = "A texture: the tiles at the right continue those at the left, those at the bottom those at the top"});
   v.number(p.aspect, {.key = "aspect",
                       .min = 0.2,
                       .max = 5,

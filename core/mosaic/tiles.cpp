@@ -71,13 +71,13 @@ std::vector<Ring> fitted_cells(const std::vector<Ring>& cells, const Params& par
 
 // Cut where they would leave their cells, or moved apart.
 std::vector<Ring> rectangles(const Diagram& diagram, const Fields& fields, const Params& params) {
-  Sites sites = diagram.sites;
+  Sites sites(diagram.sites.begin(), diagram.sites.begin() + diagram.own);
   if (!params.clip) {
-    push_apart(sites, params.delta, fields.size);
-    return each_tile(sites.size(), [&](int i) { return rectangle({sites[i], params.delta}); });
+    push_apart(sites, params.delta, fields.torus);
+    return each_tile(diagram.own, [&](int i) { return rectangle({sites[i], params.delta}); });
   }
   const std::vector<Ring> cells = quadrilaterals(diagram, fields);
-  return each_tile(sites.size(), [&](int i) {
+  return each_tile(diagram.own, [&](int i) {
     return clip_convex(rectangle({sites[i], params.delta}), without_grout(cells[i], params.grout));
   });
 }
@@ -89,7 +89,7 @@ std::vector<Ring> shape_tiles(const Diagram& diagram, const Fields& fields, cons
     case Shape::kQuad: return fitted_cells(quadrilaterals(diagram, fields), params);
     case Shape::kCell: return fitted_cells(whole_cells(place_vertices(diagram, fields)), params);
     case Shape::kEllipse:
-      return each_tile(diagram.sites.size(), [&](int i) { return ellipse({diagram.sites[i], params.delta}); });
+      return each_tile(diagram.own, [&](int i) { return ellipse({diagram.sites[i], params.delta}); });
     case Shape::kSquare:
     case Shape::kRectangle: break;
   }
