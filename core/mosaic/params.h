@@ -11,7 +11,7 @@
 namespace tessera::mosaic {
 
 enum class Style { kVermiculatum, kHausner };
-enum class Shape { kQuad, kSquare, kRectangle, kEllipse, kCell };
+enum class Shape { kQuad, kSquare, kRectangle, kMoment, kEllipse, kCell };
 enum class SizesBy { kDetail, kSaliency };
 enum class Sample { kMean, kPoint };
 
@@ -26,6 +26,7 @@ struct Params {
   double aspect = 1;
   double delta = 0.8;
   bool clip = true;
+  bool chips = false;
   bool seamless = false;
   int iterations = 20;
   double tolerance = 0;
@@ -73,6 +74,7 @@ void visit(Visitor& v, Params& p) {
            {{Shape::kQuad, "quad", "hand-cut, four corners, fitted to its neighbours"},
             {Shape::kSquare, "square", "squares of delta times the space there is"},
             {Shape::kRectangle, "rectangle", "the same, as long and narrow as aspect says"},
+            {Shape::kMoment, "moment", "rectangles with the second moments of their cells, times delta"},
             {Shape::kEllipse, "ellipse", "brush strokes, overlapping where delta is above 1"},
             {Shape::kCell, "cell", "the Voronoi cells themselves"}});
   v.text(p.palette, {.key = "palette",
@@ -108,6 +110,9 @@ void visit(Visitor& v, Params& p) {
                      .advanced = true});
   v.flag(p.clip,
          {.key = "clip", .help = "Squares and rectangles are cut where they would overlap", .advanced = true});
+  v.flag(p.chips, {.key = "chips",
+                   .help = "Splinters fill what squares, rectangles and moment tiles leave of their cells",
+                   .advanced = true});
   v.number(p.tolerance, {.key = "tolerance",
                          .min = 0,
                          .max = 10,

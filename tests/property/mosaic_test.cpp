@@ -36,7 +36,8 @@ const std::vector<Laid>& all_results() {
     std::vector<Laid> list;
     for (const Photo& photo : photos) {
       int variant = 0;
-      for (const Shape shape : {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell}) {
+      for (const Shape shape :
+           {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell, Shape::kMoment}) {
         for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
           Params params;
           params.shape = shape;
@@ -113,6 +114,25 @@ std::pair<double, double> overlap_and_coverage(const Laid& laid) {
   return {cv::countNonZero(hits > 1) / all, cv::countNonZero(hits) / all};
 }
 
+// What a seamless mosaic's tiles leave of the window when they are repeated around it: shares of a fine grid's points
+// that several tiles cover, and that any does.
+std::pair<double, double> repeated_overlap_and_coverage(const Output& output) {
+  constexpr int kFine = 8;
+  const int width = static_cast<int>(output.sheet.width), height = static_cast<int>(output.sheet.height);
+  cv::Mat1b hits = cv::Mat1b::zeros(height * kFine, width * kFine);
+  for (const Piece& tile : output.sheet.pieces)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        Ring ring = tile.outline.outer;
+        for (Point& p : ring) p = kFine * (p + Point{1.0 * i * width, 1.0 * j * height});
+        each_run(ring, hits.cols, hits.rows, [&](int y, int begin, int end) {
+          for (int x = begin; x < end; ++x) hits(y, x) = static_cast<unsigned char>(std::min(255, hits(y, x) + 1));
+        });
+      }
+  const double all = static_cast<double>(hits.total());
+  return {cv::countNonZero(hits > 1) / all, cv::countNonZero(hits) / all};
+}
+
 TEST(MosaicProperty, ClippedTilesDoNotOverlap) {
   for (const Laid& laid : all_results()) {
     if (laid.params.shape == Shape::kEllipse) continue;
@@ -132,6 +152,49 @@ TEST(MosaicProperty, QuadsWithoutGroutLeaveNoGaps) {
     Laid laid{&photo, params, lay(photo.picture, params), photo.name};
     EXPECT_GE(overlap_and_coverage(laid).second, 0.95) << photo.name;
   }
+}
+
+TEST(MosaicProperty, MomentTilesCoverMoreThanSquares) {
+  const Photo photo{"disc", disc_photo(240)};
+  const auto share = [&](Shape shape, double aspect) {
+    Params params;
+    params.shape = shape;
+    params.tiles = 300;
+    params.grout = 0;
+    params.delta = 1;
+    params.aspect = aspect;
+    return overlap_and_coverage({&photo, params, lay(photo.picture, params), photo.name}).second;
+  };
+  for (const double aspect : {1.0, 2.5}) {
+    EXPECT_GT(share(Shape::kMoment, aspect), 0.9);
+    EXPECT_GT(share(Shape::kMoment, aspect), share(Shape::kRectangle, aspect) + 0.01);
+  }
+}
+
+TEST(MosaicProperty, ChipsFillWhatTilesLeaveOfTheirCells) {
+  for (const Photo& photo : {Photo{"disc", disc_photo()}, Photo{"plain", plain_photo()}})
+    for (const bool seamless : {false, true}) {
+      Params params;
+      params.shape = Shape::kSquare;
+      params.tiles = 120;
+      params.grout = 0;
+      params.delta = 0.7;
+      params.seamless = seamless;
+      const auto laid = [&] { return Laid{&photo, params, lay(photo.picture, params), photo.name}; };
+      const auto shares = [&](const Laid& l) {
+        return seamless ? repeated_overlap_and_coverage(l.output) : overlap_and_coverage(l);
+      };
+      const Laid bare = laid();
+      params.chips = true;
+      const Laid full = laid();
+      EXPECT_LT(shares(bare).second, 0.55) << photo.name;
+      EXPECT_GT(shares(full).second, 0.93) << photo.name;
+      EXPECT_LE(shares(full).first, 0.006) << photo.name;
+      // Tiles stay as they are; chips follow.
+      ASSERT_GT(full.output.sheet.pieces.size(), 2 * bare.output.sheet.pieces.size());
+      for (std::size_t i = 0; i < bare.output.sheet.pieces.size(); ++i)
+        EXPECT_EQ(full.output.sheet.pieces[i].outline.outer, bare.output.sheet.pieces[i].outline.outer);
+    }
 }
 
 TEST(MosaicProperty, AboutAsManyTilesAsAskedFor) {
@@ -186,25 +249,6 @@ TEST(MosaicProperty, WithoutEdgesTilesAreAGridAlongThePicturesSides) {
   const Output output = lay(plain_photo(), params);
   EXPECT_EQ(output.at_edges, 0);
   EXPECT_LT(output.field_angle, 1);
-}
-
-// What a seamless mosaic's tiles leave of the window when they are repeated around it: shares of a fine grid's points
-// that several tiles cover, and that any does.
-std::pair<double, double> repeated_overlap_and_coverage(const Output& output) {
-  constexpr int kFine = 8;
-  const int width = static_cast<int>(output.sheet.width), height = static_cast<int>(output.sheet.height);
-  cv::Mat1b hits = cv::Mat1b::zeros(height * kFine, width * kFine);
-  for (const Piece& tile : output.sheet.pieces)
-    for (int j = -1; j <= 1; ++j)
-      for (int i = -1; i <= 1; ++i) {
-        Ring ring = tile.outline.outer;
-        for (Point& p : ring) p = kFine * (p + Point{1.0 * i * width, 1.0 * j * height});
-        each_run(ring, hits.cols, hits.rows, [&](int y, int begin, int end) {
-          for (int x = begin; x < end; ++x) hits(y, x) = static_cast<unsigned char>(std::min(255, hits(y, x) + 1));
-        });
-      }
-  const double all = static_cast<double>(hits.total());
-  return {cv::countNonZero(hits > 1) / all, cv::countNonZero(hits) / all};
 }
 
 // How often the seam, a line along the window's left side and one along its top, runs through a tile.
