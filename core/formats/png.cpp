@@ -78,12 +78,37 @@ class Picture {
   std::vector<std::uint8_t> scanlines_;
 };
 
+// Where else on a seamless sheet an outline shows that sticks out of it.
+std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outline) {
+  Point least = outline.outer.front(), most = least;
+  for (const Point p : outline.outer) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+  }
+  // Shifted by so many sheets, [from, to], it meets the sheet.
+  const auto from = [](double end, double size) { return static_cast<int>(std::ceil(-end / size)); };
+  const auto to = [](double begin, double size) { return static_cast<int>(std::floor((size - begin) / size)); };
+  std::vector<Polygon> copies;
+  for (int j = from(most.y, sheet.height); j <= to(least.y, sheet.height); ++j)
+    for (int i = from(most.x, sheet.width); i <= to(least.x, sheet.width); ++i) {
+      if (i == 0 && j == 0) continue;
+      copies.push_back(outline);
+      const Point way{i * sheet.width, j * sheet.height};
+      for (Point& p : copies.back().outer) p += way;
+      for (Ring& hole : copies.back().holes)
+        for (Point& p : hole) p += way;
+    }
+  return copies;
+}
+
 Picture draw(const PieceSheet& sheet, double scale, int width, int height) {
   Picture picture(width, height, sheet.grout);
   Coverage coverage(width, height);
   for (const Piece& piece : sheet.pieces) {
     const auto paint = [&](int x, int y, float share) { picture.paint(x, y, piece.fill, share); };
     coverage.each_pixel(piece.outline, scale, paint);
+    if (!sheet.seamless) continue;
+    for (const Polygon& copy : copies_across(sheet, piece.outline)) coverage.each_pixel(copy, scale, paint);
   }
   return picture;
 }

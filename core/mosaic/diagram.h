@@ -12,6 +12,7 @@ struct Diagram {
   Sites sites;
   LabelMap labels;  // connected cells, none within another
   CellGraph graph;  // their boundaries
+  int own = 0;      // so many sites come first; the others are their ghosts in a torus' margin
   int cells = 0;    // the first sites.size() of them belong to the sites; a site may have lost its own
   int iterations = 0;
   int reseeded = 0;

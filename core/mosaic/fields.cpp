@@ -6,6 +6,7 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/image/edges.h"
+#include "tessera/image/saliency.h"
 #include "tessera/mosaic/regions.h"
 
 namespace tessera::mosaic {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kNodesPerSide = 3;    // of the coarse grids, a tile's side
 constexpr double kSmallestSide = 2.5;  // px
+constexpr double kMarginSides = 6;     // width of a torus' margin, in sides of its larger tiles
 // Lines that are no edges for rows, but for tiles' corners: against params.edge_detail and params.edge_share.
 constexpr double kLineDetail = 0.7, kLineShare = 3;
 constexpr int kSmoothingRounds = 20;
@@ -54,6 +56,8 @@ cv::Mat1b drawn_edges(const ImageView& picture, cv::Size size) {
 }
 
 // Edges that rows follow, and with finer lines: the field stays calm, while tiles end where colours change.
+//
+// On a torus the photo's own edges are those within it: where its sides differ, no row runs along them.
 void find_edges_and_lines(const Pictures& pictures, const Params& params, double side, Fields& fields) {
   const bool drawn = pictures.edges.pixels, found = !drawn && params.edge_share > 0;
   const auto photo_edges = [&](double detail, double share, double shortest) {
@@ -61,13 +65,15 @@ void find_edges_and_lines(const Pictures& pictures, const Params& params, double
                                              .share = std::min(0.5, share * params.edge_share),
                                              .shortest = shortest});
   };
-  if (drawn) fields.edges = drawn_edges(pictures.edges, fields.size);
-  if (found) fields.edges = photo_edges(1, 1, std::max(6.0, 2.5 * side));
-  if (!drawn && !found) fields.edges = cv::Mat1b::zeros(fields.size);
+  cv::Mat1b edges = cv::Mat1b::zeros(fields.torus.period);
+  if (drawn) edges = drawn_edges(pictures.edges, fields.torus.period);
+  if (found) edges = photo_edges(1, 1, std::max(6.0, 2.5 * side));
+  fields.edges = fields.torus.repeated(edges);
   fields.distance = edge_distance(fields.edges);
   fields.to_line = fields.distance;
   if (found)
-    fields.to_line = edge_distance(photo_edges(kLineDetail, kLineShare, std::max(3.0, 1.5 * side)) | fields.edges);
+    fields.to_line = edge_distance(fields.torus.repeated<unsigned char>(
+        photo_edges(kLineDetail, kLineShare, std::max(3.0, 1.5 * side)) | edges));
 }
 
 // (x + i y)^4 of a unit vector: cosine and sine of four times its angle.
@@ -76,8 +82,9 @@ cv::Vec2f fourfold(double x, double y) {
   return {static_cast<float>(c * c - s * s), static_cast<float>(2 * c * s)};
 }
 
-DirectionField given_direction(const ImageView& picture, cv::Size size, double step) {
-  const cv::Mat3b angles = fitted(picture, size);
+DirectionField given_direction(const ImageView& picture, const Torus& torus, double step) {
+  const cv::Mat3b angles = torus.repeated(fitted(picture, torus.period));
+  const cv::Size size = angles.size();
   DirectionField field(size, step);
   cv::Mat2f& nodes = field.nodes();
   for (int j = 0; j < nodes.rows; ++j)
@@ -139,21 +146,34 @@ DirectionField direction_of(const Fields& fields, const Params& params, double s
   return field;
 }
 
-// How much happens around each node: the mean length of the picture's gradient.
-cv::Mat1f detail_of(const cv::Mat3b& photo, cv::Size nodes, double step) {
+// The length of the picture's gradient, |dx| + |dy|.
+cv::Mat_<std::uint16_t> steepness(const cv::Mat3b& photo) {
   cv::Mat3b soft;
   cv::GaussianBlur(photo, soft, {3, 3}, 0, 0, cv::BORDER_REPLICATE);
   cv::Mat1b grey;
   cv::cvtColor(soft, grey, cv::COLOR_RGB2GRAY);
-  cv::Mat1f sum(nodes, 0.0f), count(nodes, 0.0f);
+  cv::Mat_<std::uint16_t> steep(grey.size());
   for (int y = 0; y < grey.rows; ++y) {
     const std::uint8_t *row = grey[y], *below = grey[std::min(y + 1, grey.rows - 1)];
+    for (int x = 0; x < grey.cols; ++x) {
+      const int dx = row[std::min(x + 1, grey.cols - 1)] - row[x], dy = below[x] - row[x];
+      steep(y, x) = static_cast<std::uint16_t>(std::abs(dx) + std::abs(dy));
+    }
+  }
+  return steep;
+}
+
+// The mean of the pixels around each node.
+template <class T>
+cv::Mat1f means_at(const cv::Mat_<T>& pixels_of, cv::Size nodes, double step) {
+  cv::Mat1f sum(nodes, 0.0f), count(nodes, 0.0f);
+  for (int y = 0; y < pixels_of.rows; ++y) {
+    const T* row = pixels_of[y];
     const int j = std::min(nodes.height - 1, static_cast<int>(std::lround(y / step)));
     float *target = sum[j], *pixels = count[j];
-    for (int x = 0; x < grey.cols; ++x) {
+    for (int x = 0; x < pixels_of.cols; ++x) {
       const int i = static_cast<int>(std::lround(x / step));
-      const int dx = row[std::min(x + 1, grey.cols - 1)] - row[x], dy = below[x] - row[x];
-      target[i] += static_cast<float>(std::abs(dx) + std::abs(dy));
+      target[i] += static_cast<float>(row[x]);
       pixels[i] += 1;
     }
   }
@@ -162,9 +182,21 @@ cv::Mat1f detail_of(const cv::Mat3b& photo, cv::Size nodes, double step) {
   return sum;
 }
 
-// 5.2: sides that follow the detail, smallest to largest as 1 to params.variation.
-cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, cv::Size nodes, double step) {
-  cv::Mat1f detail = detail_of(photo.mat(), nodes, step);
+// Distances from the mean colour.
+cv::Mat1f salience(const cv::Mat3b& photo) {
+  const cv::Mat1i squares = saliency_of(photo);
+  cv::Mat1f distances(squares.size());
+  std::transform(squares.begin(), squares.end(), distances.begin(),
+                 [](int square) { return std::sqrt(static_cast<float>(square)); });
+  return distances;
+}
+
+// 5.2: sides that follow the detail, or what is salient; smallest to largest as 1 to params.variation.
+cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, const Torus& torus, cv::Size nodes,
+                          double step) {
+  cv::Mat1f detail = params.sizes_by == SizesBy::kSaliency
+                         ? means_at(torus.repeated(salience(photo.mat())), nodes, step)
+                         : means_at(torus.repeated(steepness(photo.mat())), nodes, step);
   smooth(detail, 4);
   double mean = 0;
   for (const float v : detail) mean += v;
@@ -179,15 +211,15 @@ cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, cv::Size
   return sizes;
 }
 
-cv::Mat1f sizes_of(const Pictures& pictures, const Params& params, cv::Size nodes, double step) {
+cv::Mat1f sizes_of(const Pictures& pictures, const Params& params, const Torus& torus, cv::Size nodes, double step) {
   if (pictures.regions.pixels) {
-    cv::Mat1f sizes = region_sizes(fitted(pictures.regions, {pictures.photo.width, pictures.photo.height}),
-                                   params.region_sizes, nodes, step);
+    cv::Mat1f sizes =
+        region_sizes(torus.repeated(fitted(pictures.regions, torus.period)), params.region_sizes, nodes, step);
     smooth(sizes, 2);
     return sizes;
   }
   if (params.variation == 1) return {nodes, 1.0f};
-  return automatic_sizes(pictures.photo, params, nodes, step);
+  return automatic_sizes(pictures.photo, params, torus, nodes, step);
 }
 
 }  // namespace
@@ -198,6 +230,14 @@ double Fields::side(double x, double y) const {
   const double s = u - i, t = v - j;
   return (1 - t) * ((1 - s) * sides(j, i) + s * sides(j, i + 1)) +
          t * ((1 - s) * sides(j + 1, i) + s * sides(j + 1, i + 1));
+}
+
+cv::Mat1f Fields::sides_within() const {
+  if (!torus.wraps()) return sides;
+  const auto node = [&](int pixel) { return static_cast<int>(std::lround(pixel / step)); };
+  const cv::Rect window = torus.window();
+  return sides({node(window.y), std::max(node(window.y) + 1, node(window.br().y))},
+               {node(window.x), std::max(node(window.x) + 1, node(window.br().x))});
 }
 
 Point Fields::inside(Point p) const {
@@ -215,18 +255,41 @@ void scale_sides(Fields& fields, double factor) {
   for (float& v : fields.sides) v = static_cast<float>(std::max(kSmallestSide, v * factor));
 }
 
+namespace {
+
+// The margin has room for what the largest tiles may see of each other, and no more of the photo than once again.
+Torus torus_of(const Pictures& pictures, const Params& params, double side) {
+  Torus torus{{pictures.photo.width, pictures.photo.height}};
+  if (!params.seamless) return torus;
+  double ratio = params.variation;  // of the largest tile's side to the smallest's
+  std::vector<RegionSize> regions;
+  if (pictures.regions.pixels && parse_region_sizes(params.region_sizes, regions)) {
+    const auto [least, most] = std::minmax_element(
+        regions.begin(), regions.end(), [](const RegionSize& a, const RegionSize& b) { return a.size < b.size; });
+    ratio = most->size / least->size;
+  }
+  const double stretch = std::sqrt(std::max(params.aspect, 1 / params.aspect));
+  const int wanted = static_cast<int>(std::ceil(kMarginSides * side * stretch * std::sqrt(ratio)));
+  torus.margin = std::clamp(wanted, 1, std::max(torus.period.width, torus.period.height));
+  return torus;
+}
+
+}  // namespace
+
 Fields make_fields(const Pictures& pictures, const Params& params, double side) {
   Fields fields;
-  fields.size = {pictures.photo.width, pictures.photo.height};
+  fields.torus = torus_of(pictures, params, side);
+  fields.size = fields.torus.canvas();
   find_edges_and_lines(pictures, params, side, fields);
   fields.step = std::max(1.0, side / kNodesPerSide);
   const cv::Size nodes = DirectionField(fields.size, fields.step).nodes().size();
-  fields.sides = sizes_of(pictures, params, nodes, fields.step);
+  fields.sides = sizes_of(pictures, params, fields.torus, nodes, fields.step);
   // As many tiles fit as squares of the average side would: the mean of 1 / side^2 is what counts.
   double tiles = 0;
-  for (const float v : fields.sides) tiles += 1.0 / (static_cast<double>(v) * v);
-  scale_sides(fields, side * std::sqrt(tiles / static_cast<double>(fields.sides.total())));
-  fields.direction = pictures.direction.pixels ? given_direction(pictures.direction, fields.size, fields.step)
+  const cv::Mat1f within = fields.sides_within();
+  for (const float v : within) tiles += 1.0 / (static_cast<double>(v) * v);
+  scale_sides(fields, side * std::sqrt(tiles / static_cast<double>(within.total())));
+  fields.direction = pictures.direction.pixels ? given_direction(pictures.direction, fields.torus, fields.step)
                                                : direction_of(fields, params, fields.step);
   return fields;
 }

@@ -8,6 +8,7 @@
 #include "tessera/image/distance_field.h"
 #include "tessera/image/image_view.h"
 #include "tessera/mosaic/params.h"
+#include "tessera/mosaic/torus.h"
 
 namespace tessera::mosaic {
 
@@ -20,7 +21,8 @@ struct Pictures {
 };
 
 struct Fields {
-  cv::Size size;
+  Torus torus;               // the photo is its window
+  cv::Size size;             // of the canvas: the photo, or with a margin around it
   cv::Mat1b edges;           // 255 on an edge
   DistanceField distance;    // px to the next edge pixel; kNoFrontier where there is none
   DistanceField to_line;     // px to the next pixel of an edge or of a finer line, to which tiles' corners move
@@ -28,6 +30,8 @@ struct Fields {
   cv::Mat1f sides;           // of a square tile, px, at nodes `step` apart, the first at (0, 0)
   double step = 1;
 
+  // The nodes whose sides count for the photo.
+  cv::Mat1f sides_within() const;
   double side(double x, double y) const;  // of a square tile at (x, y)
   Point inside(Point p) const;            // the point of the picture nearest to p
   Point uphill(Point p) const;            // unit vector away from the next edge; (0, 0) where there is none
@@ -35,7 +39,7 @@ struct Fields {
 };
 
 // `side`: what a tile measures on average, px. All problems of the other pictures end in sensible fields: an edge
-// picture without lines means no edges.
+// picture without lines means no edges. For seamless mosaics all pictures are repeated in a margin.
 Fields make_fields(const Pictures& pictures, const Params& params, double side);
 
 // The sides scaled for all tiles by a factor.

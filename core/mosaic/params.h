@@ -11,12 +11,14 @@
 namespace tessera::mosaic {
 
 enum class Style { kVermiculatum, kHausner };
-enum class Shape { kQuad, kSquare, kRectangle, kEllipse, kCell };
+enum class Shape { kQuad, kSquare, kRectangle, kMoment, kEllipse, kCell };
+enum class SizesBy { kDetail, kSaliency };
 enum class Sample { kMean, kPoint };
 
 struct Params {
   int tiles = 2000;
   double variation = 2;
+  SizesBy sizes_by = SizesBy::kDetail;
   double grout = 1;
   std::string palette;
   Style style = Style::kVermiculatum;
@@ -24,6 +26,8 @@ struct Params {
   double aspect = 1;
   double delta = 0.8;
   bool clip = true;
+  bool chips = false;
+  bool seamless = false;
   int iterations = 20;
   double tolerance = 0;
   double avoidance = 0.25;
@@ -55,6 +59,10 @@ void visit(Visitor& v, Params& p) {
        .ui_max = 8,
        .help = "Side of the largest tiles, in plain parts, against the smallest, in detailed ones; 1 makes all alike",
        .symbol = "alpha"});
+  v.choice(
+      p.sizes_by, {.key = "sizesBy", .help = "Where tiles are small", .advanced = true},
+      {{SizesBy::kDetail, "detail", "where much happens: where the picture's gradient is long"},
+       {SizesBy::kSaliency, "saliency", "in what draws the eye: where colours are far from the picture's mean"}});
   v.number(p.grout, {.key = "grout",
                      .min = 0,
                      .max = 64,
@@ -66,6 +74,7 @@ void visit(Visitor& v, Params& p) {
            {{Shape::kQuad, "quad", "hand-cut, four corners, fitted to its neighbours"},
             {Shape::kSquare, "square", "squares of delta times the space there is"},
             {Shape::kRectangle, "rectangle", "the same, as long and narrow as aspect says"},
+            {Shape::kMoment, "moment", "rectangles with the second moments of their cells, times delta"},
             {Shape::kEllipse, "ellipse", "brush strokes, overlapping where delta is above 1"},
             {Shape::kCell, "cell", "the Voronoi cells themselves"}});
   v.text(p.palette, {.key = "palette",
@@ -74,6 +83,10 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.style, {.key = "style", .help = "How tiles are laid"},
            {{Style::kVermiculatum, "opus-vermiculatum", "rows along the contours, then rows along these"},
             {Style::kHausner, "hausner", "the paper's: random first positions, edges by avoidance alone"}});
+  v.flag(
+      p.seamless,
+      {.key = "seamless",
+       .help = "A texture: the tiles at the right continue those at the left, those at the bottom those at the top"});
   v.number(p.aspect, {.key = "aspect",
                       .min = 0.2,
                       .max = 5,
@@ -97,6 +110,9 @@ void visit(Visitor& v, Params& p) {
                      .advanced = true});
   v.flag(p.clip,
          {.key = "clip", .help = "Squares and rectangles are cut where they would overlap", .advanced = true});
+  v.flag(p.chips, {.key = "chips",
+                   .help = "Splinters fill what squares, rectangles and moment tiles leave of their cells",
+                   .advanced = true});
   v.number(p.tolerance, {.key = "tolerance",
                          .min = 0,
                          .max = 10,

@@ -30,31 +30,58 @@ std::vector<Tile> tiles_of(const Sites& sites, double delta) {
 
 double radius(const Tile& tile) { return length(tile.u + tile.v); }
 
+// A side of the picture in parts, no shorter than a bin where they wrap.
+struct Bins {
+  Bins(int length, double bin, bool does_wrap)
+      : count(static_cast<int>(length / bin) + 1), size(bin), wraps(does_wrap) {
+    if (!wraps) return;
+    count = std::max(1, static_cast<int>(length / bin));
+    size = static_cast<double>(length) / count;
+  }
+
+  int of(double v) const { return std::clamp(static_cast<int>(v / size), 0, count - 1); }
+  // A bin and those beside it, each once.
+  std::vector<int> around(int i) const {
+    std::vector<int> list;
+    for (int k = i - 1; k <= i + 1; ++k) {
+      const int there = wraps ? (k + count) % count : k;
+      if (there >= 0 && there < count && std::find(list.begin(), list.end(), there) == list.end())
+        list.push_back(there);
+    }
+    return list;
+  }
+
+  int count;
+  double size;
+  bool wraps;
+};
+
 // Pairs that may come to overlap: no farther apart than their half diagonals and a little.
-std::vector<std::pair<int, int>> close_pairs(const std::vector<Tile>& tiles, cv::Size picture) {
+std::vector<std::pair<int, int>> close_pairs(const std::vector<Tile>& tiles, const Torus& torus) {
   constexpr double kLittle = 1.2;
   double widest = 1;
   for (const Tile& tile : tiles) widest = std::max(widest, radius(tile));
   const double bin = 2 * kLittle * widest;
-  const int columns = static_cast<int>(picture.width / bin) + 1, rows = static_cast<int>(picture.height / bin) + 1;
-  std::vector<std::vector<int>> bins(static_cast<std::size_t>(columns) * rows);
+  const Bins across(torus.period.width, bin, torus.wraps()), down(torus.period.height, bin, torus.wraps());
+  std::vector<std::vector<int>> bins(static_cast<std::size_t>(across.count) * down.count);
   std::vector<std::pair<int, int>> pairs;
   for (int k = 0; k < static_cast<int>(tiles.size()); ++k) {
     const Tile& tile = tiles[k];
-    const int i = static_cast<int>(tile.centre.x / bin), j = static_cast<int>(tile.centre.y / bin);
-    for (int y = std::max(0, j - 1); y <= std::min(rows - 1, j + 1); ++y)
-      for (int x = std::max(0, i - 1); x <= std::min(columns - 1, i + 1); ++x)
-        for (const int other : bins[static_cast<std::size_t>(y) * columns + x])
-          if (length(tiles[other].centre - tile.centre) < kLittle * (radius(tiles[other]) + radius(tile)))
+    const int i = across.of(tile.centre.x - torus.margin), j = down.of(tile.centre.y - torus.margin);
+    for (const int y : down.around(j))
+      for (const int x : across.around(i))
+        for (const int other : bins[static_cast<std::size_t>(y) * across.count + x])
+          if (length(torus.shortest(tiles[other].centre - tile.centre)) <
+              kLittle * (radius(tiles[other]) + radius(tile)))
             pairs.push_back({other, k});
-    bins[static_cast<std::size_t>(j) * columns + i].push_back(k);
+    bins[static_cast<std::size_t>(j) * across.count + i].push_back(k);
   }
   return pairs;
 }
 
 // The shortest way for `b` out of `a`, along a side of either (separating axes); (0, 0) where they do not overlap.
-Point way_out(const Tile& a, const Tile& b) {
-  const Point between = b.centre - a.centre;
+Point way_out(const Tile& a, const Tile& b, const Torus& torus) {
+  const Point between = torus.shortest(b.centre - a.centre);
   double least = 1e30;
   Point way{0, 0};
   for (const Point side : {a.u, a.v, b.u, b.v}) {
@@ -70,14 +97,14 @@ Point way_out(const Tile& a, const Tile& b) {
 
 }  // namespace
 
-void push_apart(Sites& sites, double delta, cv::Size picture) {
+void push_apart(Sites& sites, double delta, const Torus& torus) {
   std::vector<Tile> tiles = tiles_of(sites, delta);
-  const std::vector<std::pair<int, int>> pairs = close_pairs(tiles, picture);
+  const std::vector<std::pair<int, int>> pairs = close_pairs(tiles, torus);
   bool moved = true;
   for (int round = 0; round < kRounds && moved; ++round) {
     moved = false;
     for (const auto& [i, k] : pairs) {
-      const Point way = way_out(tiles[i], tiles[k]);
+      const Point way = way_out(tiles[i], tiles[k], torus);
       if (way.x == 0 && way.y == 0) continue;
       tiles[i].centre = tiles[i].centre - 0.5 * way;
       tiles[k].centre = tiles[k].centre + 0.5 * way;
@@ -85,8 +112,9 @@ void push_apart(Sites& sites, double delta, cv::Size picture) {
     }
   }
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    sites[i].x = std::clamp<double>(tiles[i].centre.x, 0, picture.width);
-    sites[i].y = std::clamp<double>(tiles[i].centre.y, 0, picture.height);
+    const cv::Size canvas = torus.canvas();
+    sites[i].x = std::clamp<double>(tiles[i].centre.x, 0, canvas.width);
+    sites[i].y = std::clamp<double>(tiles[i].centre.y, 0, canvas.height);
   }
 }
 

@@ -34,6 +34,13 @@ void lay_tiles(std::vector<Ring> rings, const ImageView& photo, const Params& pa
   }
 }
 
+// From the canvas to the window of a seamless mosaic.
+void shift(PieceSheet& sheet, int by) {
+  if (by == 0) return;
+  for (Piece& piece : sheet.pieces)
+    for (Point& p : piece.outline.outer) p += Point{static_cast<double>(by), static_cast<double>(by)};
+}
+
 }  // namespace
 
 Result<Output> run(const Pictures& pictures, const Params& requested, std::uint64_t seed, Rasterizer& rasterizer,
@@ -72,8 +79,12 @@ Result<Output> run(const Pictures& pictures, const Params& requested, std::uint6
   output.sheet.height = photo.height;
   output.sheet.width_mm = params.width_mm;
   output.sheet.grout = {150, 146, 138};
-  lay_tiles(std::move(rings), photo, params, output);
+  const cv::Mat3b canvas = fields.torus.repeated(cv::Mat3b(photo.mat()));
+  lay_tiles(std::move(rings), {canvas.data, canvas.cols, canvas.rows, static_cast<std::ptrdiff_t>(canvas.step)},
+            params, output);
   measure_tiles(fields, output);
+  output.sheet.seamless = params.seamless;
+  shift(output.sheet, -fields.torus.margin);
   context.progress(1);
   return output;
 }

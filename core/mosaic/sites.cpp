@@ -26,8 +26,8 @@ class Front {
     narrowness_ = 1 / stretch;
     bin_ = std::max(1.0, 1.0 * least);
     reach_ = static_cast<int>(std::ceil(most_ * stretch / bin_)) + 1;
-    columns_ = static_cast<int>(fields.size.width / bin_) + 1;
-    rows_ = static_cast<int>(fields.size.height / bin_) + 1;
+    columns_ = static_cast<int>(fields.torus.period.width / bin_) + 1;
+    rows_ = static_cast<int>(fields.torus.period.height / bin_) + 1;
     bins_.resize(static_cast<std::size_t>(columns_) * rows_);
   }
 
@@ -58,10 +58,11 @@ class Front {
   double rows_from_edge(Point p) const { return at(fields_.distance, p.x, p.y) / fields_.side(p.x, p.y); }
 
   void propose(Point p, bool beginning) {
+    p = torus_.wrapped(p);
     if (p.x < 0 || p.y < 0 || p.x > fields_.size.width || p.y > fields_.size.height) return;
     const double away = rows_from_edge(p);
     const int row = static_cast<int>(std::min(away, 1e6));
-    if (row < kSnappedRows) p = snapped(p, row + 0.5);
+    if (row < kSnappedRows) p = torus_.wrapped(snapped(p, row + 0.5));
     if (hopeless(p)) return;
     open_.push({row, beginning, turn_++, static_cast<float>(p.x), static_cast<float>(p.y)});
   }
@@ -75,8 +76,9 @@ class Front {
 
   void seed_first_rows() {
     const int stride = std::max(1, static_cast<int>(bin_ / 3));
-    for (int y = 0; y < fields_.size.height; y += stride)
-      for (int x = 0; x < fields_.size.width; x += stride) {
+    const cv::Rect window = torus_.window();
+    for (int y = window.y; y < window.br().y; y += stride)
+      for (int x = window.x; x < window.br().x; x += stride) {
         if (fields_.distance(y, x) > 0.7 * most_) continue;
         const Point p{x + 0.5, y + 0.5};
         const double away = rows_from_edge(p);
@@ -100,9 +102,9 @@ class Front {
   // Beginnings where nothing lies yet.
   void fill() {
     const double stride = std::max(1.0, bin_ / 2);
-    for (int j = 1; j * stride < fields_.size.height; ++j)
-      for (int i = 1; i * stride < fields_.size.width; ++i) {
-        const double x = i * stride, y = j * stride;
+    for (int j = 1; j * stride < torus_.period.height; ++j)
+      for (int i = 1; i * stride < torus_.period.width; ++i) {
+        const double x = torus_.margin + i * stride, y = torus_.margin + j * stride;
         const double half = 0.5 * fields_.side(x, y);
         const Point p{std::clamp(x, std::min(half, 0.5 * fields_.size.width),
                                  std::max(fields_.size.width - half, 0.5 * fields_.size.width)),
@@ -124,13 +126,14 @@ class Front {
     Tile tile;
     tile.site.x = snap_position(p.x);
     tile.site.y = snap_position(p.y);
+    bring_home(tile.site, torus_);
     turn_and_size(tile.site, fields_, params_);
     tile.turn = sin_cos(tile.site.angle);
     return tile;
   }
 
   bool lay(Point p) {
-    const double margin = 0.3 * fields_.side(p.x, p.y);
+    const double margin = torus_.wraps() ? 0 : 0.3 * fields_.side(p.x, p.y);
     const auto leaves = [&](double v, double size) {
       return v < std::min(margin, 0.4 * size) || v > size - std::min(margin, 0.4 * size);
     };
@@ -142,53 +145,67 @@ class Front {
     return true;
   }
 
+  int column_of(double x) const { return std::clamp(static_cast<int>((x - torus_.margin) / bin_), 0, columns_ - 1); }
+  int row_of(double y) const { return std::clamp(static_cast<int>((y - torus_.margin) / bin_), 0, rows_ - 1); }
   std::size_t bin_of(const Site& site) const {
-    const int i = std::clamp(static_cast<int>(site.x / bin_), 0, columns_ - 1),
-              j = std::clamp(static_cast<int>(site.y / bin_), 0, rows_ - 1);
-    return static_cast<std::size_t>(j) * columns_ + i;
+    return static_cast<std::size_t>(row_of(site.y)) * columns_ + column_of(site.x);
+  }
+
+  // Whether that holds for any tile in the bins up to `reach` around p's.
+  template <class Holds>
+  bool any_around(Point p, int reach, const Holds& holds) const {
+    const int ci = column_of(p.x), cj = row_of(p.y);
+    if (torus_.wraps()) return any_around_torus(ci, cj, reach + 1, holds);  // the last bins may be narrow
+    for (int j = std::max(0, cj - reach); j <= std::min(rows_ - 1, cj + reach); ++j)
+      for (int i = std::max(0, ci - reach); i <= std::min(columns_ - 1, ci + reach); ++i)
+        for (const int k : bins_[static_cast<std::size_t>(j) * columns_ + i])
+          if (holds(tiles_[k])) return true;
+    return false;
+  }
+
+  template <class Holds>
+  bool any_around_torus(int ci, int cj, int reach, const Holds& holds) const {
+    const auto wrapped = [](int i, int n) { return (i % n + n) % n; };
+    for (int j = cj - reach; j <= cj + reach; ++j)
+      for (int i = ci - reach; i <= ci + reach; ++i)
+        for (const int k : bins_[static_cast<std::size_t>(wrapped(j, rows_)) * columns_ + wrapped(i, columns_)])
+          if (holds(tiles_[k])) return true;
+    return false;
   }
 
   bool has_room(const Tile& tile) const {
     const Site& site = tile.site;
-    const int ci = static_cast<int>(bin_of(site) % columns_), cj = static_cast<int>(bin_of(site) / columns_);
     // No farther than the two tiles' half diagonals.
     const int reach =
         std::min(reach_, static_cast<int>(std::ceil(3 * std::max(site.extent_u, site.extent_v) / bin_)) + 1);
-    for (int j = std::max(0, cj - reach); j <= std::min(rows_ - 1, cj + reach); ++j)
-      for (int i = std::max(0, ci - reach); i <= std::min(columns_ - 1, ci + reach); ++i)
-        for (const int k : bins_[static_cast<std::size_t>(j) * columns_ + i])
-          if (crowded(tile, tiles_[k])) return false;
-    return true;
+    return !any_around({site.x, site.y}, reach, [&](const Tile& other) { return crowded(tile, other); });
   }
 
   // Whether a tile in this place or next to it is so near that there is no room, whichever way both turn. Most places
   // proposed are taken, and need no frame to be turned down.
   bool hopeless(Point p) const {
     const double half = 0.5 * narrowness_ * fields_.side(p.x, p.y);
-    const int ci = static_cast<int>(std::clamp(p.x / bin_, 0.0, columns_ - 1.0)),
-              cj = static_cast<int>(std::clamp(p.y / bin_, 0.0, rows_ - 1.0));
-    for (int j = std::max(0, cj - 1); j <= std::min(rows_ - 1, cj + 1); ++j)
-      for (int i = std::max(0, ci - 1); i <= std::min(columns_ - 1, ci + 1); ++i)
-        for (const int k : bins_[static_cast<std::size_t>(j) * columns_ + i]) {
-          const Site& other = tiles_[k].site;
-          const Point way = Point{other.x, other.y} - p;
-          const double reach = kCrowded * (half + std::min(other.extent_u, other.extent_v));
-          if (dot(way, way) < reach * reach) return true;
-        }
-    return false;
+    return any_around(p, 1, [&](const Tile& tile) {
+      const Site& other = tile.site;
+      const Point way = torus_.shortest(Point{other.x, other.y} - p);
+      const double reach = kCrowded * (half + std::min(other.extent_u, other.extent_v));
+      return dot(way, way) < reach * reach;
+    });
   }
 
   // Distance in the frames of both, where 1 is side by side.
-  static bool crowded(const Tile& a, const Tile& b) {
-    const double dx = b.site.x - a.site.x, dy = b.site.y - a.site.y;
+  bool crowded(const Tile& a, const Tile& b) const {
+    const Point way = torus_.shortest({b.site.x - a.site.x, b.site.y - a.site.y});
     const double u = a.site.extent_u + b.site.extent_u, v = a.site.extent_v + b.site.extent_v;
     const auto apart = [&](const SinCos& turn) {
-      return std::max(std::fabs(turn.cos * dx + turn.sin * dy) / u, std::fabs(turn.cos * dy - turn.sin * dx) / v);
+      return std::max(std::fabs(turn.cos * way.x + turn.sin * way.y) / u,
+                      std::fabs(turn.cos * way.y - turn.sin * way.x) / v);
     };
     return 0.5 * (apart(a.turn) + apart(b.turn)) < kCrowded;
   }
 
   const Fields& fields_;
+  const Torus& torus_ = fields_.torus;
   const Params& params_;
   float most_ = 0;         // side of the largest tile
   double narrowness_ = 1;  // a tile's shorter side against that of a square
@@ -213,11 +230,13 @@ Sites random_sites(const Fields& fields, const Params& params, std::uint64_t see
   Rng rng(seed, RngPurpose::kSites);
   float least = std::numeric_limits<float>::max();
   for (const float v : fields.sides) least = std::min(least, v);
+  const cv::Rect window = fields.torus.window();
   Sites sites;
   while (static_cast<int>(sites.size()) < params.tiles) {
     Site site;
-    site.x = snap_position(rng.uniform(0, fields.size.width));
-    site.y = snap_position(rng.uniform(0, fields.size.height));
+    site.x = window.x + snap_position(rng.uniform(0, window.width));
+    site.y = window.y + snap_position(rng.uniform(0, window.height));
+    bring_home(site, fields.torus);
     const double ratio = least / fields.side(site.x, site.y);
     if (rng.uniform() > ratio * ratio) continue;
     turn_and_size(site, fields, params);
@@ -232,7 +251,8 @@ namespace {
 void fit_sides(Sites& sites, Fields& fields, const Params& params) {
   double covered = 0;
   for (const Site& site : sites) covered += 4.0 * site.extent_u * site.extent_v;
-  scale_sides(fields, std::sqrt(static_cast<double>(fields.size.width) * fields.size.height / covered));
+  scale_sides(fields,
+              std::sqrt(static_cast<double>(fields.torus.period.width) * fields.torus.period.height / covered));
   for (Site& site : sites) turn_and_size(site, fields, params);
 }
 

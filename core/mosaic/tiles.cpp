@@ -17,6 +17,9 @@ namespace {
 constexpr double kWideAngle = 172;    // degrees: wider corners of a quadrilateral tile are left out
 constexpr double kGroutShare = 0.12;  // of a tile's side: what grout takes of it at most, on each side
 constexpr int kEllipseVertices = 24;
+constexpr double kLong = 1.5;  // ratio of a cell's second moments above which its own axes are plain
+// What is no chip: less of a cell's area than this, or narrower, against the cell's side and in px.
+constexpr double kChipArea = 0.02, kChipWidth = 0.06, kLeastChipWidth = 0.5;
 constexpr double kWrittenParts = 1000;  // of a pixel: what files say; tiles are outlines still when rounded to it
 
 std::vector<Ring> quadrilaterals(const Diagram& diagram, const Fields& fields) {
@@ -27,8 +30,33 @@ std::vector<Ring> quadrilaterals(const Diagram& diagram, const Fields& fields) {
   return separate_pieces(t, flat, kWideAngle);
 }
 
-// Centre and half sides of a tile that takes `delta` of its site's space.
+// Of an area of density 1 / area.
+struct Moments {
+  Point centre;
+  double xx = 0, xy = 0, yy = 0;  // about the centre
+};
+
+// By triangles from the centre (Green's theorem).
+Moments second_moments(const Ring& ring) {
+  Moments m;
+  m.centre = centroid(ring);
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i] - m.centre, b = ring[i + 1 < ring.size() ? i + 1 : 0] - m.centre;
+    const double part = 0.5 * cross(a, b);
+    area += part;
+    m.xx += part / 6 * (a.x * a.x + a.x * b.x + b.x * b.x);
+    m.yy += part / 6 * (a.y * a.y + a.y * b.y + b.y * b.y);
+    m.xy += part / 12 * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y);
+  }
+  if (area <= 0) return {m.centre};
+  m.xx /= area, m.yy /= area, m.xy /= area;
+  return m;
+}
+
+// Centre and half sides of a tile, that takes `delta` of its site's space or is given.
 struct Frame {
+  Frame(Point at, Point half_u, Point half_v) : centre(at), u(half_u), v(half_v) {}
   Frame(const Site& site, double delta) : centre{site.x, site.y} {
     const SinCos turn = sin_cos(site.angle);
     u = (delta * site.extent_u) * Point{turn.cos, turn.sin};
@@ -37,6 +65,24 @@ struct Frame {
 
   Point centre, u, v;
 };
+
+// The rectangle whose second moments are `delta` squared times those of the cell: along the cell's principal axes
+// where it is clearly longer than wide, else along its site's.
+Frame moment_frame(const Ring& cell, Point axis, double delta) {
+  const Moments m = second_moments(cell);
+  const double mean = 0.5 * (m.xx + m.yy), half = 0.5 * (m.xx - m.yy), apart = std::sqrt(half * half + m.xy * m.xy);
+  if (mean + apart > kLong * (mean - apart)) {
+    const SinCos turn = sin_cos(0.5 * atan2_portable(2 * m.xy, m.xx - m.yy));
+    axis = {turn.cos, turn.sin};
+  }
+  // A rectangle of half side a has the second moment a^2 / 3.
+  const auto half_side = [&](Point way) {
+    return delta *
+           std::sqrt(3 * std::max(0.0, way.x * way.x * m.xx + 2 * way.x * way.y * m.xy + way.y * way.y * m.yy));
+  };
+  const Point across{-axis.y, axis.x};
+  return {m.centre, half_side(axis) * axis, half_side(across) * across};
+}
 
 Ring rectangle(const Frame& f) {
   return {f.centre - f.u - f.v, f.centre + f.u - f.v, f.centre + f.u + f.v, f.centre - f.u + f.v};
@@ -69,17 +115,55 @@ std::vector<Ring> fitted_cells(const std::vector<Ring>& cells, const Params& par
   return each_tile(cells.size(), [&](int i) { return without_grout(cells[i], params.grout); });
 }
 
-// Cut where they would leave their cells, or moved apart.
-std::vector<Ring> rectangles(const Diagram& diagram, const Fields& fields, const Params& params) {
-  Sites sites = diagram.sites;
-  if (!params.clip) {
-    push_apart(sites, params.delta, fields.size);
-    return each_tile(sites.size(), [&](int i) { return rectangle({sites[i], params.delta}); });
+// What is left of a cell beyond each side of its tile, `grout` away from it; inside the sides before.
+std::vector<Ring> chips_of(const Ring& cell, const Frame& frame, double grout) {
+  std::vector<Ring> chips;
+  const double size = std::fabs(signed_area(cell)), far = 4 * std::sqrt(size) + 4 * length(frame.u + frame.v);
+  const Ring tile = rectangle(frame);
+  Ring rest = cell;
+  for (std::size_t k = 0; k < 4 && rest.size() >= 3; ++k) {
+    const Point way = tile[(k + 1) % 4] - tile[k];
+    if (dot(way, way) == 0) break;
+    const Point along = (far / length(way)) * way, out{along.y, -along.x};
+    const Point on = tile[k], off = tile[k] + (grout / far) * out;
+    const Ring chip = clip_convex({off - along + out, off + along + out, off + along, off - along}, rest);
+    rest = clip_convex({on - along, on + along, on + along - out, on - along - out}, rest);
+    const double area = std::fabs(signed_area(chip)), girth = perimeter(chip);
+    if (chip.size() < 3 || area < kChipArea * size) continue;
+    if (2 * area / girth >= std::max(kLeastChipWidth, kChipWidth * std::sqrt(size))) chips.push_back(chip);
   }
-  const std::vector<Ring> cells = quadrilaterals(diagram, fields);
-  return each_tile(sites.size(), [&](int i) {
-    return clip_convex(rectangle({sites[i], params.delta}), without_grout(cells[i], params.grout));
-  });
+  return chips;
+}
+
+void add_chips(const std::vector<Ring>& cells, const std::vector<Frame>& frames, double grout,
+               std::vector<Ring>& tiles) {
+  std::vector<Ring> chips;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const double between = std::min(grout, 2 * kGroutShare * std::sqrt(std::fabs(signed_area(cells[i]))));
+    for (Ring& chip : chips_of(cells[i], frames[i], between)) chips.push_back(std::move(chip));
+  }
+  for (Ring& chip : each_tile(chips.size(), [&](int i) { return chips[i]; })) tiles.push_back(std::move(chip));
+}
+
+std::vector<Ring> whole_rectangles(Sites sites, const Fields& fields, const Params& params) {
+  push_apart(sites, params.delta, fields.torus);
+  return each_tile(sites.size(), [&](int i) { return rectangle({sites[i], params.delta}); });
+}
+
+// Cut where they would leave their cells.
+std::vector<Ring> rectangles(const Diagram& diagram, const Fields& fields, const Params& params) {
+  std::vector<Ring> cells = quadrilaterals(diagram, fields);
+  std::vector<Frame> frames;
+  for (int i = 0; i < diagram.own; ++i) {
+    const Frame space(diagram.sites[i], params.delta);
+    const bool fitted = params.shape == Shape::kMoment && cells[i].size() >= 3;
+    frames.push_back(fitted ? moment_frame(cells[i], (1 / length(space.u)) * space.u, params.delta) : space);
+    cells[i] = without_grout(cells[i], params.grout);
+  }
+  std::vector<Ring> tiles =
+      each_tile(frames.size(), [&](int i) { return clip_convex(rectangle(frames[i]), cells[i]); });
+  if (params.chips) add_chips(cells, frames, params.grout, tiles);
+  return tiles;
 }
 
 }  // namespace
@@ -89,9 +173,13 @@ std::vector<Ring> shape_tiles(const Diagram& diagram, const Fields& fields, cons
     case Shape::kQuad: return fitted_cells(quadrilaterals(diagram, fields), params);
     case Shape::kCell: return fitted_cells(whole_cells(place_vertices(diagram, fields)), params);
     case Shape::kEllipse:
-      return each_tile(diagram.sites.size(), [&](int i) { return ellipse({diagram.sites[i], params.delta}); });
+      return each_tile(diagram.own, [&](int i) { return ellipse({diagram.sites[i], params.delta}); });
     case Shape::kSquare:
-    case Shape::kRectangle: break;
+    case Shape::kRectangle:
+      if (!params.clip)
+        return whole_rectangles({diagram.sites.begin(), diagram.sites.begin() + diagram.own}, fields, params);
+      break;
+    case Shape::kMoment: break;
   }
   return rectangles(diagram, fields, params);
 }

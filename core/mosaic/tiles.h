@@ -8,7 +8,8 @@
 
 namespace tessera::mosaic {
 
-// One ring a cell, in px, grout taken away; empty where a cell has none left.
+// One ring a cell, in px, grout taken away; empty where a cell has none left. With params.chips those of chips
+// follow.
 std::vector<Ring> shape_tiles(const Diagram& diagram, const Fields& fields, const Params& params);
 
 }  // namespace tessera::mosaic

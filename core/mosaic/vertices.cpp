@@ -143,7 +143,11 @@ Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
     return line;
   };
   complete_rings(graph, rings, course, bends);
+  const Torus& torus = fields.torus;
+  std::vector<int> shared;
+  if (torus.wraps()) shared = share_bends(torus, graph, bends);
   assemble_rings(graph, rings, bends, t);
+  if (torus.wraps()) fold(torus, graph, bends, shared, diagram.own, static_cast<int>(diagram.sites.size()), t);
   untangle(graph, t);
   return t;
 }

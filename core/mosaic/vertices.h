@@ -7,7 +7,8 @@
 namespace tessera::mosaic {
 
 // A vertex lies where its cells' sites are equally far; one near an edge lies on the edge, so that tiles' sides
-// follow it. Cells with fewer than four vertices are given more.
+// follow it. Cells with fewer than four vertices are given more. On a torus the cells of its window are left, those
+// of the diagram's own sites first.
 Tessellation place_vertices(const Diagram& diagram, const Fields& fields);
 
 // Where a vertex that was moved to `p` belongs: on its edge, if it has one, and within the picture.

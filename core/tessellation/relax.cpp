@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
+#include <utility>
 
 #include "tessera/geometry/polygon.h"
 
@@ -161,6 +162,12 @@ class Relaxer {
     Freedom freedom;
   };
 
+  // Where the slot's vertex is by now.
+  Point place_of(int slot) const {
+    const Point p = nodes_[map_.ring[slot]].p;
+    return map_.shift.empty() ? p : p + map_.shift[slot];
+  }
+
   void fit_rectangle(int cell) {
     int slot_of[4], n = 0;
     for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
@@ -171,9 +178,9 @@ class Relaxer {
     if (n != 4) return;
     const Point axis = t_.frame[cell];
     Point corner[4], centre;
-    for (int k = 0; k < 4; ++k) centre += 0.25 * nodes_[map_.ring[slot_of[k]]].p;
+    for (int k = 0; k < 4; ++k) centre += 0.25 * place_of(slot_of[k]);
     for (int k = 0; k < 4; ++k) {
-      const Point off = nodes_[map_.ring[slot_of[k]]].p - centre;
+      const Point off = place_of(slot_of[k]) - centre;
       corner[k] = {dot(off, axis), cross(axis, off)};
     }
     // Which corner is the rectangle's first: of the four ways the one that fits best.
@@ -217,8 +224,18 @@ class Relaxer {
   // line.
   struct Corner {
     int vertex, before, after;
+    int shifts;  // of its neighbours against the vertex, in shifts_; -1: none
     bool flat;
   };
+
+  // How far both neighbours of a slot lie from where their vertices say, seen from the slot's vertex.
+  int shifts_of(int slot, int before, int after) {
+    if (map_.shift.empty()) return -1;
+    const std::pair<Point, Point> shifts{map_.shift[before] - map_.shift[slot], map_.shift[after] - map_.shift[slot]};
+    if (shifts.first == Point{0, 0} && shifts.second == Point{0, 0}) return -1;
+    shifts_.push_back(shifts);
+    return static_cast<int>(shifts_.size()) - 1;
+  }
 
   void list_corners() {
     std::size_t bands = 1;
@@ -230,10 +247,12 @@ class Relaxer {
         const int v = map_.ring[slot];
         nodes_[v].slide = std::min<double>(nodes_[v].slide, kSlide * t_.half_side[cell]);
         if (t_.freedom[v] != Freedom::kFree) continue;
-        const int before = map_.ring[map_.previous(cell, slot)], after = map_.ring[map_.next(cell, slot)];
+        const int previous = map_.previous(cell, slot), next = map_.next(cell, slot);
+        const int before = map_.ring[previous], after = map_.ring[next];
         const std::size_t band = band_of(v);
         const bool inside = band_of(before) == band && band_of(after) == band;
-        (inside ? bands_[band] : across_).push_back({v, before, after, flat_[slot] != 0});
+        (inside ? bands_[band] : across_)
+            .push_back({v, before, after, shifts_of(slot, previous, next), flat_[slot] != 0});
       }
     }
   }
@@ -244,13 +263,15 @@ class Relaxer {
 
   void straighten(const Corner& corner) {
     Node &v = nodes_[corner.vertex], &a = nodes_[corner.before], &b = nodes_[corner.after];
-    const Point way = b.p - a.p;
+    Point from = a.p, to = b.p;
+    if (corner.shifts >= 0) from += shifts_[corner.shifts].first, to += shifts_[corner.shifts].second;
+    const Point way = to - from;
     const double size2 = dot(way, way);
     if (size2 < 1e-12) return;
-    const double off = cross(way, v.p - a.p);  // positive: hollow, clockwise rings with y down
+    const double off = cross(way, v.p - from);  // positive: hollow, clockwise rings with y down
     if (!corner.flat && off <= 0) return;
-    const double along = std::clamp(dot(v.p - a.p, way) / size2, kMargin, 1 - kMargin);
-    const Point error = v.p - (a.p + along * way);
+    const double along = std::clamp(dot(v.p - from, way) / size2, kMargin, 1 - kMargin);
+    const Point error = v.p - (from + along * way);
     const double wa = a.mobility * (1 - along), wb = b.mobility * along;
     const double total = 1 + wa * (1 - along) + wb * along;
     move(v, (-1 / total) * error);
@@ -265,6 +286,7 @@ class Relaxer {
   std::vector<Node> nodes_;
   std::vector<std::vector<Corner>> bands_;
   std::vector<Corner> across_;
+  std::vector<std::pair<Point, Point>> shifts_;
   // Of square_up(): how each slot's corner shall move, their sum and number for each vertex.
   std::vector<Point> way_, pull_;
   std::vector<int> pulls_;

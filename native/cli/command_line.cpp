@@ -43,6 +43,8 @@ class SettingFlags {
     for (const std::string& format : formats)
       if (const std::size_t dot = format.find('.'); dot != std::string::npos)
         add(("--" + format.substr(0, dot)).c_str(), named_[format], "FILE", "The same as -o FILE." + format);
+    if (std::find(formats.begin(), formats.end(), "apng") != formats.end())
+      add("--animate", named_["apng"], "FILE", "An animated PNG of the iterations; the same as -o FILE.apng");
     add("--format", settings_.format, "KIND", "Kind of an output whose name has no extension, as -");
     add("--report", settings_.report, "FILE", "Write times, counts and checksums as JSON");
     add("--save-job", settings_.save_job, "FILE", "Write the job as JSON, for tessera run");

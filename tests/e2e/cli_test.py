@@ -413,6 +413,20 @@ class MosaicTest(CliTest):
             self.assertAlmostEqual(float(line[4]), 4 * float(line[3]), delta=0.01)
             self.assertEqual(self.bytes_of('a.svg').count(f'fill="{line[0]}"'.encode()), int(line[2]))
 
+    def test_an_animation_by_name(self):
+        self.mosaic('-o', 'a.svg', '--animate', 'moving.png', '-o', 'b.apng')
+        self.assertIn(b'acTL', self.bytes_of('moving.png'))
+        self.assertEqual(self.bytes_of('moving.png'), self.bytes_of('b.apng'))
+        self.fail_with(2, 'pebbles', 'disc.png', '-o', 'a.glb', '--animate', 'moving.png', says=['animate'])
+
+    def test_a_seamless_texture(self):
+        self.mosaic('--seamless', '-o', 'a.svg', '-o', 'a.json')
+        pieces = json.loads(self.bytes_of('a.json'))['features']
+        numbers = [v for piece in pieces for point in piece['geometry']['coordinates'][0] for v in point]
+        self.assertLess(min(numbers), -1)  # tiles reach over the border
+        self.succeed('run', 'a.svg', '-o', 'b.svg')
+        self.assertEqual(self.bytes_of('a.svg'), self.bytes_of('b.svg'))
+
     def test_a_palette_from_a_file(self):
         self.put('tiles.txt', b'old brick #a03020\nchalk #f4f1e8\n')
         self.mosaic('--palette', 'tiles.txt', '-o', 'a.bom.csv', '--save-job', 'job.json')

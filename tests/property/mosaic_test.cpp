@@ -1,11 +1,13 @@
 // What must hold of every mosaic, whatever the photo, the seed and the parameters.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../unit/mosaic/photos.h"
@@ -34,7 +36,8 @@ const std::vector<Laid>& all_results() {
     std::vector<Laid> list;
     for (const Photo& photo : photos) {
       int variant = 0;
-      for (const Shape shape : {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell}) {
+      for (const Shape shape :
+           {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell, Shape::kMoment}) {
         for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
           Params params;
           params.shape = shape;
@@ -111,6 +114,25 @@ std::pair<double, double> overlap_and_coverage(const Laid& laid) {
   return {cv::countNonZero(hits > 1) / all, cv::countNonZero(hits) / all};
 }
 
+// What a seamless mosaic's tiles leave of the window when they are repeated around it: shares of a fine grid's points
+// that several tiles cover, and that any does.
+std::pair<double, double> repeated_overlap_and_coverage(const Output& output) {
+  constexpr int kFine = 8;
+  const int width = static_cast<int>(output.sheet.width), height = static_cast<int>(output.sheet.height);
+  cv::Mat1b hits = cv::Mat1b::zeros(height * kFine, width * kFine);
+  for (const Piece& tile : output.sheet.pieces)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        Ring ring = tile.outline.outer;
+        for (Point& p : ring) p = kFine * (p + Point{1.0 * i * width, 1.0 * j * height});
+        each_run(ring, hits.cols, hits.rows, [&](int y, int begin, int end) {
+          for (int x = begin; x < end; ++x) hits(y, x) = static_cast<unsigned char>(std::min(255, hits(y, x) + 1));
+        });
+      }
+  const double all = static_cast<double>(hits.total());
+  return {cv::countNonZero(hits > 1) / all, cv::countNonZero(hits) / all};
+}
+
 TEST(MosaicProperty, ClippedTilesDoNotOverlap) {
   for (const Laid& laid : all_results()) {
     if (laid.params.shape == Shape::kEllipse) continue;
@@ -130,6 +152,49 @@ TEST(MosaicProperty, QuadsWithoutGroutLeaveNoGaps) {
     Laid laid{&photo, params, lay(photo.picture, params), photo.name};
     EXPECT_GE(overlap_and_coverage(laid).second, 0.95) << photo.name;
   }
+}
+
+TEST(MosaicProperty, MomentTilesCoverMoreThanSquares) {
+  const Photo photo{"disc", disc_photo(240)};
+  const auto share = [&](Shape shape, double aspect) {
+    Params params;
+    params.shape = shape;
+    params.tiles = 300;
+    params.grout = 0;
+    params.delta = 1;
+    params.aspect = aspect;
+    return overlap_and_coverage({&photo, params, lay(photo.picture, params), photo.name}).second;
+  };
+  for (const double aspect : {1.0, 2.5}) {
+    EXPECT_GT(share(Shape::kMoment, aspect), 0.9);
+    EXPECT_GT(share(Shape::kMoment, aspect), share(Shape::kRectangle, aspect) + 0.01);
+  }
+}
+
+TEST(MosaicProperty, ChipsFillWhatTilesLeaveOfTheirCells) {
+  for (const Photo& photo : {Photo{"disc", disc_photo()}, Photo{"plain", plain_photo()}})
+    for (const bool seamless : {false, true}) {
+      Params params;
+      params.shape = Shape::kSquare;
+      params.tiles = 120;
+      params.grout = 0;
+      params.delta = 0.7;
+      params.seamless = seamless;
+      const auto laid = [&] { return Laid{&photo, params, lay(photo.picture, params), photo.name}; };
+      const auto shares = [&](const Laid& l) {
+        return seamless ? repeated_overlap_and_coverage(l.output) : overlap_and_coverage(l);
+      };
+      const Laid bare = laid();
+      params.chips = true;
+      const Laid full = laid();
+      EXPECT_LT(shares(bare).second, 0.55) << photo.name;
+      EXPECT_GT(shares(full).second, 0.93) << photo.name;
+      EXPECT_LE(shares(full).first, 0.006) << photo.name;
+      // Tiles stay as they are; chips follow.
+      ASSERT_GT(full.output.sheet.pieces.size(), 2 * bare.output.sheet.pieces.size());
+      for (std::size_t i = 0; i < bare.output.sheet.pieces.size(); ++i)
+        EXPECT_EQ(full.output.sheet.pieces[i].outline.outer, bare.output.sheet.pieces[i].outline.outer);
+    }
 }
 
 TEST(MosaicProperty, AboutAsManyTilesAsAskedFor) {
@@ -184,6 +249,90 @@ TEST(MosaicProperty, WithoutEdgesTilesAreAGridAlongThePicturesSides) {
   const Output output = lay(plain_photo(), params);
   EXPECT_EQ(output.at_edges, 0);
   EXPECT_LT(output.field_angle, 1);
+}
+
+// How often the seam, a line along the window's left side and one along its top, runs through a tile.
+int tiles_across_the_seam(const Output& output) {
+  int across = 0;
+  for (const Piece& tile : output.sheet.pieces) {
+    const Ring& ring = tile.outline.outer;
+    const auto sticks_out = [&](Point p) {
+      return p.x < -0.5 || p.y < -0.5 || p.x > output.sheet.width + 0.5 || p.y > output.sheet.height + 0.5;
+    };
+    across += std::any_of(ring.begin(), ring.end(), sticks_out);
+  }
+  return across;
+}
+
+TEST(MosaicProperty, SeamlessTilesMeetTheirOwnCopies) {
+  for (const Photo& photo :
+       {Photo{"disc", disc_photo()}, Photo{"plain", plain_photo()}, Photo{"noise", noise_photo()}})
+    for (const Shape shape : {Shape::kQuad, Shape::kSquare, Shape::kCell})
+      for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
+        Params params;
+        params.seamless = true;
+        params.shape = shape;
+        params.style = style;
+        params.tiles = 150;
+        params.grout = 0;
+        params.iterations = 6;
+        const Output output = lay(photo.picture, params);
+        const auto [overlap, coverage] = repeated_overlap_and_coverage(output);
+        const std::string name = photo.name + " " + std::to_string(static_cast<int>(shape));
+        EXPECT_LE(overlap, 0.004) << name;
+        if (shape != Shape::kSquare) {
+          EXPECT_GE(coverage, shape == Shape::kCell ? 0.995 : 0.97) << name;
+        }
+        if (photo.name != "plain") {  // whose rows may lie along the seam
+          EXPECT_GT(tiles_across_the_seam(output), 4) << name;
+        }
+        EXPECT_NEAR(static_cast<double>(output.sheet.pieces.size()), 150, 30) << name;
+      }
+}
+
+TEST(MosaicProperty, SeamlessSquaresAreMovedApartAcrossTheSeam) {
+  Params params;
+  params.seamless = true;
+  params.shape = Shape::kSquare;
+  params.clip = false;
+  params.tiles = 150;
+  params.delta = 0.9;
+  EXPECT_LE(repeated_overlap_and_coverage(lay(disc_photo(), params)).first, 0.01);
+}
+
+TEST(MosaicProperty, SeamlessMosaicsAreMadeOfAnyPhoto) {
+  for (const Photo& photo : all_photos())
+    for (const int tiles : {1, 30}) {
+      Params params;
+      params.seamless = true;
+      params.tiles = tiles;
+      params.iterations = 3;
+      const Output output = lay(photo.picture, params);
+      EXPECT_FALSE(output.sheet.pieces.empty()) << photo.name << " " << tiles;
+      for (const Piece& tile : output.sheet.pieces)
+        for (const Point p : tile.outline.outer) ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << photo.name;
+    }
+}
+
+TEST(MosaicProperty, IterationsOfASeamlessMosaicShowThePhotosWindow) {
+  const cv::Mat3b picture = disc_photo();
+  const auto rasterizer = make_cpu_rasterizer();
+  Params params;
+  params.seamless = true;
+  params.tiles = 100;
+  params.iterations = 2;
+  int seen = 0;
+  const auto observer = [&](const Iteration& iteration) {
+    ++seen;
+    ASSERT_EQ(iteration.labels.size(), picture.size());
+    double least, most;
+    cv::minMaxLoc(iteration.labels, &least, &most);
+    EXPECT_GE(least, 0);
+    EXPECT_LT(most, static_cast<double>(iteration.sites.size()));
+    for (const Site& site : iteration.sites) EXPECT_TRUE(site.x >= 0 && site.x < 160 && site.y >= 0 && site.y < 160);
+  };
+  ASSERT_TRUE(run({view_of(picture), {}, {}, {}}, params, 1, *rasterizer, {}, observer));
+  EXPECT_EQ(seen, 3);
 }
 
 TEST(MosaicProperty, EndsWhenItIsStopped) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "animation.h"
@@ -136,6 +137,18 @@ TEST(WritePng, TheLaterOfTwoThatOverlapLiesOnTop) {
   EXPECT_EQ(picture.at(1, 1), (Rgb{250, 0, 0}));
   EXPECT_EQ(picture.at(4, 1), (Rgb{0, 0, 250}));
   EXPECT_EQ(picture.at(6, 1), (Rgb{0, 100, 125}));
+}
+
+TEST(WritePng, OnASeamlessSheetWhatSticksOutComesInAgain) {
+  PieceSheet sheet = sheet_of(10, 8, {{1, {box(8, 6, 12, 9), {box(9, 7, 11, 7.5)}}, {255, 0, 0}}});
+  EXPECT_EQ(decoded(write_png(sheet)).at(0, 6), (Rgb{100, 100, 100}));
+  sheet.seamless = true;
+  const Picture picture = decoded(write_png(sheet));
+  for (const auto& [x, y] : {std::pair{8U, 6U}, {9U, 6U}, {0U, 6U}, {1U, 6U}, {8U, 0U}, {1U, 0U}, {0U, 0U}})
+    EXPECT_EQ(picture.at(x, y), (Rgb{255, 0, 0})) << x << ", " << y;
+  for (const auto& [x, y] : {std::pair{2U, 6U}, {7U, 6U}, {0U, 5U}, {0U, 1U}, {2U, 0U}, {8U, 1U}})
+    EXPECT_EQ(picture.at(x, y), (Rgb{100, 100, 100})) << x << ", " << y;
+  EXPECT_EQ(picture.at(0, 7), picture.at(9, 7));  // halves of the hole
 }
 
 TEST(WritePng, MeanColourIsThatOfTheAreasOverManySeeds) {

@@ -33,7 +33,7 @@ double overlap(const Sites& sites, double delta) {
 
 TEST(MosaicPushApart, APairGoesApartTheShortestWay) {
   Sites sites = {square_at(50, 50, 0), square_at(56, 52, 0)};
-  push_apart(sites, 0.8, {100, 100});
+  push_apart(sites, 0.8, Torus{{100, 100}});
   EXPECT_NEAR(sites[0].x, 49, 1e-9);  // 8 wide each, 6 apart
   EXPECT_NEAR(sites[1].x, 57, 1e-9);
   EXPECT_EQ(sites[0].y, 50);
@@ -43,7 +43,7 @@ TEST(MosaicPushApart, APairGoesApartTheShortestWay) {
 TEST(MosaicPushApart, TilesWithRoomStayWhereTheyAre) {
   const Sites before = {square_at(50, 50, 0.3), square_at(61, 50, 0.3), square_at(20, 20, 0)};
   Sites sites = before;
-  push_apart(sites, 0.8, {100, 100});
+  push_apart(sites, 0.8, Torus{{100, 100}});
   for (std::size_t i = 0; i < sites.size(); ++i) {
     EXPECT_EQ(sites[i].x, before[i].x);
     EXPECT_EQ(sites[i].y, before[i].y);
@@ -59,14 +59,14 @@ TEST(MosaicPushApart, ACrowdOfTurnedSquaresHardlyOverlapsAfterwards) {
                                 rng.uniform(-0.4, 0.4)));
   const double all = 144 * 64;
   ASSERT_GT(overlap(sites, 0.8), 0.005 * all);
-  push_apart(sites, 0.8, {120, 120});
+  push_apart(sites, 0.8, Torus{{120, 120}});
   EXPECT_LT(overlap(sites, 0.8), 0.0005 * all);
   for (const Site& site : sites) EXPECT_TRUE(site.x >= 0 && site.y >= 0 && site.x <= 120 && site.y <= 120);
 }
 
 TEST(MosaicPushApart, OnePlaceOrNoRoomIsNoTrouble) {
   Sites sites(5, square_at(3, 3, 0));
-  push_apart(sites, 3, {6, 6});
+  push_apart(sites, 3, Torus{{6, 6}});
   for (const Site& site : sites) EXPECT_TRUE(std::isfinite(site.x) && std::isfinite(site.y));
 }
 

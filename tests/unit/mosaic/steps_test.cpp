@@ -57,6 +57,24 @@ TEST(MosaicFields, DetailGetsSmallerTiles) {
   EXPECT_GT(fields.side(30, 50), 2 * fields.side(170, 50));
 }
 
+TEST(MosaicFields, SalientThingsGetSmallerTilesHoweverPlain) {
+  // Two plain discs: a red one, rare, and one in nearly the ground's colour but noisy.
+  const cv::Mat3b picture = paint(200, 100, [](double x, double y) {
+    const int v = static_cast<int>(128 + 12 * std::sin(x * 1.3) * std::sin(y * 1.1));
+    return std::hypot(x - 50, y - 50) < 20    ? cv::Vec3b(220, 40, 30)
+           : std::hypot(x - 150, y - 50) < 20 ? cv::Vec3b(v, v, v)
+                                              : cv::Vec3b(128, 128, 128);
+  });
+  Params params;
+  params.variation = 4;
+  const Pictures pictures{view_of(picture), {}, {}, {}};
+  const Fields by_detail = make_fields(pictures, params, 6);
+  EXPECT_GT(by_detail.side(50, 50), 1.3 * by_detail.side(150, 50));
+  params.sizes_by = SizesBy::kSaliency;
+  const Fields by_saliency = make_fields(pictures, params, 6);
+  EXPECT_LT(by_saliency.side(50, 50), 0.6 * by_saliency.side(150, 50));
+}
+
 TEST(MosaicFields, TheUsersPicturesAreObeyed) {
   const cv::Mat3b picture = disc_photo();
   const cv::Mat3b lines = paint(320, 320, [](double x, double) {
