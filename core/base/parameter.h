@@ -7,9 +7,9 @@
 //     visitor.choice(params.method, {.key = "method", ...}, {{Method::kFlow, "flow", "..."}, ...});
 //   }
 //
-// A visitor has the members number(double&), integer(int&), flag(bool&), text(std::string&), each with a ParameterInfo,
-// and choice(Enum&, ParameterInfo, std::initializer_list<Choice<Enum>>). From it come the JSON of a job, the checks,
-// the command line's flags, the web form, the JSON Schema and docs/parameters.md.
+// A visitor has the members number(double&), integer(int&), flag(bool&), text(std::string&), each with a
+// ParameterInfo, and choice(Enum&, ParameterInfo, std::initializer_list<Choice<Enum>>). From it come the JSON of a
+// job, the checks, the command line's flags, the web form, the JSON Schema and docs/parameters.md.
 #pragma once
 
 #include <limits>
