@@ -13,12 +13,11 @@ after(closeBrowser);
 
 const photo = readFileSync(join(root, 'public/samples/pebbles.png'));
 const size = [900, 600]; // of the photo
-const viewport = { width: 1240, height: 720 }; // a processor draws here
 const fresh = '#technique=pebbles&ground=true&groundHole=true';
 
 /** The pebbles' tab with its sample done and shown in three dimensions. */
 const withPebbles = (options, use) =>
-  withApp({ isolated: true, hash: fresh, viewport, reducedMotion: 'reduce', ...options }, async (app, page) => {
+  withApp({ isolated: true, hash: fresh, reducedMotion: 'reduce', ...options }, async (app, page) => {
     await app.finished();
     await app.fieldShown();
     await use(app, page);
@@ -247,7 +246,7 @@ function countGraphics() {
 
 for (const { name, ...look } of looks) {
   test(`${name}: axe finds no serious violation on the pebbles' tab`, async () => {
-    await withPebbles({ viewport: undefined, ...look }, async (app, page) => {
+    await withPebbles(look, async (app, page) => {
       await checkLook(page, `pebbles-${name}`);
       if (!look.isMobile) return;
       for (const half of ['3D', 'Sizes']) {

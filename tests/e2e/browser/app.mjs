@@ -7,6 +7,7 @@ import { serve } from './serve.mjs';
 
 const site = `${root}/web/dist`;
 const patience = { timeout: 120_000 };
+const kViewport = { width: 1240, height: 720 }; // a processor draws here: with more pixels everything takes longer
 
 // One for all tests of a file: a browser takes seconds for its first page, whose shaders it compiles.
 let browser;
@@ -16,7 +17,7 @@ export const closeBrowser = () => browser?.close();
  * Opens the app and hands it to `use`; afterwards there may be no complaint on its console and no request abroad.
  * `scripts`: what the page gets in the place of the site's, by their addresses.
  */
-export async function withApp({ isolated, viewport = { width: 1440, height: 900 }, hash = '', scripts = {}, ...options }, use) {
+export async function withApp({ isolated, viewport = kViewport, hash = '', scripts = {}, ...options }, use) {
   const host = await serve({ '/': site }, { isolated });
   if (!browser?.isConnected()) browser = await launch();
   const context = await browser.newContext({ viewport, acceptDownloads: true, ...options });

@@ -5,11 +5,12 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from '../root.mjs';
 
+const desktop = { viewport: { width: 1440, height: 900 } };
 const phone = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
 
 export const looks = [
-  { name: 'desktop-light', colorScheme: 'light' },
-  { name: 'desktop-dark', colorScheme: 'dark' },
+  { name: 'desktop-light', colorScheme: 'light', ...desktop },
+  { name: 'desktop-dark', colorScheme: 'dark', ...desktop },
   { name: 'phone-light', colorScheme: 'light', ...phone },
   { name: 'phone-dark', colorScheme: 'dark', ...phone },
 ];
