@@ -15,8 +15,9 @@ CORE = {
     'voronoi': {'base', 'image', 'geometry'},
     'gpu': {'base', 'voronoi'},
     'tessellation': {'base', 'geometry', 'voronoi'},
+    'points': {'base', 'geometry'},
 }
-TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation'}
+TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation', 'points'}
 NATIVE = {'io': {'base', 'image'}, 'egl': {'base'}}
 SOURCES = {'.h', '.cpp'}
 
@@ -25,7 +26,7 @@ FORBIDDEN_HEADERS = re.compile(
     r'opencv2/(highgui|imgcodecs|videoio|opencv).*|emscripten.*|EGL/.*|SDL.*')
 GL_HEADERS = re.compile(r'GLES.*|GL/.*')
 FORBIDDEN_WORDS = re.compile(
-    r'\b(imread|imwrite|imshow|imdecode|imencode|namedWindow|getenv|system_clock|steady_clock|\w+_distribution|s?rand'
+    r'\b(imread|imwrite|imshow|imdecode|imencode|namedWindow|getenv|system_clock|steady_clock|std::\w+_distribution|s?rand'
     r'|random_device)\b')
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

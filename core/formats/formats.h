@@ -22,7 +22,8 @@ std::string write_svg(const PieceSheet& sheet);
 // DXF R2000, one closed LWPOLYLINE a ring, a layer a colour, millimetres, y up. Without width_mm 1 px is 1 mm. A
 // layer has the nearest of AutoCAD's 255 colours, its name the true one; more than 255 colours are merged into those.
 std::string write_dxf(const PieceSheet& sheet);
-// GeoJSON FeatureCollection, one Feature a piece, coordinates in source pixels (y down). The bbox is the sheet.
+// GeoJSON FeatureCollection, one Feature a piece, coordinates in source pixels (y down). The bbox is the sheet. Of a
+// sheet of points the geometries are these.
 std::string write_geojson(const PieceSheet& sheet);
 // CSV with a header, one row a piece: id,colour,area_px2,perimeter_px,vertices,orientation_deg,centroid_x,centroid_y.
 // Perimeter and vertices include those of holes.
@@ -32,7 +33,10 @@ std::string write_csv(const PieceSheet& sheet);
 std::string write_bill_csv(const PieceSheet& sheet);
 // PNG of a picture as it is.
 std::string write_png(const Raster& raster);
-// PNG picture of the sheet, 8-bit RGB, anti-aliased by exact coverage, `scale` output pixels a source pixel (> 0).
+// The picture of a sheet, as its PNG has it.
+Raster draw_sheet(const PieceSheet& sheet, double scale = 1);
+// PNG picture of the sheet, 8-bit RGB or, of pieces of one colour, with a palette, anti-aliased by exact coverage,
+// `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
 
 // glTF 2.0 as one binary file, and as one text that holds its buffer. Textures are JPEG. A valid scene has finite

@@ -50,6 +50,12 @@ void append_feature(std::string& out, const PieceSheet& sheet, std::size_t index
   const Piece& piece = sheet.pieces[index];
   out += "{\"type\":\"Feature\",\"properties\":";
   append_properties(out, sheet, index);
+  if (sheet.points) {
+    out += ",\"geometry\":{\"type\":\"Point\",\"coordinates\":";
+    append_position(out, measure(piece.outline).centroid);
+    out += "}}";
+    return;
+  }
   out += ",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[";
   append_ring(out, piece.outline.outer, true);
   for (const Ring& hole : piece.outline.holes) {

@@ -9,74 +9,10 @@
 
 #include "tessera/formats/coverage.h"
 #include "tessera/formats/formats.h"
+#include "tessera/formats/picture.h"
 
 namespace tessera {
 namespace {
-
-// ---- The picture
-
-// RGB pixels that start as grout. Pieces do not overlap, so where several touch a pixel each takes its share of the
-// grout that is left: no grout shines through where two pieces join. Where they do overlap, the later one lies on
-// top.
-class Picture {
- public:
-  Picture(int width, int height, Rgb grout)
-      : width_(static_cast<std::size_t>(width)),
-        height_(static_cast<std::size_t>(height)),
-        grout_{grout.r, grout.g, grout.b},
-        covered_(width_ * height_, 0) {
-    scanlines_.reserve(height_ * stride());
-    scanlines_.push_back(kNoFilter);
-    for (std::size_t x = 0; x < width_; ++x) scanlines_.insert(scanlines_.end(), grout_, grout_ + 3);
-    scanlines_.resize(height_ * stride());
-    for (std::size_t y = 1; y < height_; ++y) std::copy_n(scanline(0), stride(), &scanlines_[y * stride()]);
-  }
-
-  explicit Picture(const Raster& frame) : Picture(frame.width, frame.height, {}) {
-    for (std::size_t y = 0; y < height_; ++y)
-      std::copy_n(&frame.bytes[3 * y * width_], 3 * width_, &scanlines_[y * stride() + 1]);
-  }
-
-  // Lays `colour` over that share of the pixel, 0..1.
-  void paint(int x, int y, Rgb colour, float share) {
-    const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-    std::uint8_t& covered = covered_[row * width_ + column];
-    std::uint8_t* const pixel = &scanlines_[row * stride() + 1 + 3 * column];
-    const std::uint8_t fill[] = {colour.r, colour.g, colour.b};
-    if (share >= 1) {
-      std::copy_n(fill, 3, pixel);
-      covered = 255;
-      return;
-    }
-    const float before = static_cast<float>(covered) / 255;
-    const float excess = std::max(0.0F, before + share - 1);
-    const float keep = excess > 0 ? 1 - excess / before : 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float grout = grout_[k];
-      pixel[k] = rounded(grout + keep * (static_cast<float>(pixel[k]) - grout) +
-                         share * (static_cast<float>(fill[k]) - grout));
-    }
-    covered = rounded(255 * std::min(1.0F, before + share));
-  }
-
-  std::size_t width() const { return width_; }
-  std::size_t height() const { return height_; }
-  std::size_t stride() const { return 1 + 3 * width_; }
-  // As PNG compresses it: the filter's number, then the pixels.
-  const std::uint8_t* scanline(std::size_t y) const { return &scanlines_[y * stride()]; }
-
- private:
-  static constexpr std::uint8_t kNoFilter = 0;  // pieces are flat: repeats are found without one
-
-  static std::uint8_t rounded(float value) {
-    return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
-  }
-
-  std::size_t width_, height_;
-  std::uint8_t grout_[3];
-  std::vector<std::uint8_t> covered_;  // how much of each pixel pieces cover, of 255
-  std::vector<std::uint8_t> scanlines_;
-};
 
 // Where else on a seamless sheet an outline shows that sticks out of it.
 std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outline) {
@@ -101,21 +37,32 @@ std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outli
   return copies;
 }
 
-Picture draw(const PieceSheet& sheet, double scale, int width, int height) {
-  Picture picture(width, height, sheet.grout);
-  Coverage coverage(width, height);
+template <class Pixels>
+void draw_pieces(const PieceSheet& sheet, double scale, Pixels& pixels) {
+  Coverage coverage(static_cast<int>(pixels.width()), static_cast<int>(pixels.height()));
   for (const Piece& piece : sheet.pieces) {
-    const auto paint = [&](int x, int y, float share) { picture.paint(x, y, piece.fill, share); };
+    const auto paint = [&](int x, int y, float share) { pixels.paint(x, y, piece.fill, share); };
     coverage.each_pixel(piece.outline, scale, paint);
     if (!sheet.seamless) continue;
     for (const Polygon& copy : copies_across(sheet, piece.outline)) coverage.each_pixel(copy, scale, paint);
   }
+}
+
+int pixels_of(double length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
+
+Picture draw(const PieceSheet& sheet, double scale, int width, int height) {
+  Picture picture(width, height, sheet.grout);
+  draw_pieces(sheet, scale, picture);
   return picture;
 }
 
 Picture draw(const PieceSheet& sheet, double scale) {
-  const auto pixels = [scale](double length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
-  return draw(sheet, scale, pixels(sheet.width), pixels(sheet.height));
+  return draw(sheet, scale, pixels_of(sheet.width, scale), pixels_of(sheet.height, scale));
+}
+
+bool is_of_one_colour(const PieceSheet& sheet) {
+  return !sheet.pieces.empty() && std::all_of(sheet.pieces.begin(), sheet.pieces.end(),
+                                              [&](const Piece& piece) { return piece.fill == sheet.pieces[0].fill; });
 }
 
 // ---- The file (PNG specification, chapters 5 and 11; third edition for animation)
@@ -138,21 +85,25 @@ void append_chunk(std::string& out, std::string_view type, std::string_view data
   append_u32(out, crc32(0, reinterpret_cast<const Bytef*>(&out[start]), static_cast<uInt>(out.size() - start)));
 }
 
-void append_header(std::string& out, std::size_t width, std::size_t height, int bits, int channels) {
+enum ColourType : char { kGrey = 0, kRgb = 2, kPalette = 3 };
+
+void append_header(std::string& out, std::size_t width, std::size_t height, int bits, ColourType type) {
   std::string data;
   append_u32(data, width);
   append_u32(data, height);
   data += static_cast<char>(bits);
-  data += channels == 1 ? '\0' : '\x02';        // grey or RGB
+  data += type;
   data += std::string_view("\x00\x00\x00", 3);  // deflate, filter a line, not interlaced
   append_chunk(out, "IHDR", data);
 }
 
 void append_header(std::string& out, const Picture& picture) {
-  append_header(out, picture.width(), picture.height(), 8, 3);
+  append_header(out, picture.width(), picture.height(), 8, kRgb);
 }
 
+// 0: unknown.
 void append_resolution(std::string& out, double pixels_per_metre) {
+  if (pixels_per_metre <= 0) return;
   std::string data;
   const auto resolution = static_cast<std::uint64_t>(std::clamp(pixels_per_metre + 0.5, 1.0, 2e9));
   append_u32(data, resolution);
@@ -190,14 +141,15 @@ void compress(std::size_t height, std::size_t stride, const Scanline& scanline, 
   deflateEnd(&stream);
 }
 
-template <class Part>
-void compress(const Picture& picture, const Part& part) {
+template <class Pixels, class Part>
+void compress(const Pixels& pixels, const Part& part) {
   compress(
-      picture.height(), picture.stride(), [&](std::size_t y) { return picture.scanline(y); }, part);
+      pixels.height(), pixels.stride(), [&](std::size_t y) { return pixels.scanline(y); }, part);
 }
 
-void append_pixels(std::string& out, const Picture& picture) {
-  compress(picture, [&](std::string_view part) { append_chunk(out, "IDAT", part); });
+template <class Pixels>
+void append_pixels(std::string& out, const Pixels& pixels) {
+  compress(pixels, [&](std::string_view part) { append_chunk(out, "IDAT", part); });
 }
 
 void append_animation(std::string& out, std::size_t frames) {
@@ -234,13 +186,32 @@ void append_frame(std::string& out, const Picture& picture, std::uint32_t& seque
 }  // namespace
 
 std::string write_png(const PieceSheet& sheet, double scale) {
-  const Picture picture = draw(sheet, scale);
+  const double per_metre = sheet.width_mm > 0 ? 1000 * scale * sheet.width / sheet.width_mm : 0;
   std::string out(kSignature);
-  append_header(out, picture);
-  if (sheet.width_mm > 0) append_resolution(out, 1000 * scale * sheet.width / sheet.width_mm);
-  append_pixels(out, picture);
+  if (is_of_one_colour(sheet)) {
+    Shades shades(pixels_of(sheet.width, scale), pixels_of(sheet.height, scale), sheet.grout, sheet.pieces[0].fill);
+    draw_pieces(sheet, scale, shades);
+    append_header(out, shades.width(), shades.height(), 8, kPalette);
+    append_resolution(out, per_metre);
+    append_chunk(out, "PLTE", shades.palette());
+    append_pixels(out, shades);
+  } else {
+    const Picture picture = draw(sheet, scale);
+    append_header(out, picture);
+    append_resolution(out, per_metre);
+    append_pixels(out, picture);
+  }
   append_chunk(out, "IEND", {});
   return out;
+}
+
+Raster draw_sheet(const PieceSheet& sheet, double scale) {
+  const Picture picture = draw(sheet, scale);
+  Raster raster{static_cast<int>(picture.width()), static_cast<int>(picture.height()), 3, 8, {}};
+  raster.bytes.reserve(picture.height() * (picture.stride() - 1));
+  for (std::size_t y = 0; y < picture.height(); ++y)
+    raster.bytes.insert(raster.bytes.end(), picture.scanline(y) + 1, picture.scanline(y) + picture.stride());
+  return raster;
 }
 
 std::string write_png(const Raster& raster) {
@@ -257,7 +228,8 @@ std::string write_png(const Raster& raster) {
     return line.data();
   };
   std::string out(kSignature);
-  append_header(out, static_cast<std::size_t>(raster.width), height, raster.bits, raster.channels);
+  append_header(out, static_cast<std::size_t>(raster.width), height, raster.bits,
+                raster.channels == 1 ? kGrey : kRgb);
   compress(height, line.size(), scanline, [&](std::string_view part) { append_chunk(out, "IDAT", part); });
   append_chunk(out, "IEND", {});
   return out;

@@ -31,6 +31,7 @@ struct PieceSheet {
   std::string kind = "piece";    // class of a piece, and stem of its id: stone, tile, cell
   std::string layer = "pieces";  // name of the pieces' layer: stones, tiles, cells
   double width = 0, height = 0;  // source pixels
+  bool points = false;           // a piece stands for the point in its middle
   bool seamless = false;         // tiles the plane: what sticks out at one side belongs to the other as well
   double width_mm = 0;           // physical width of the sheet; 0: none given
   Rgb grout{128, 128, 128};      // colour between the pieces

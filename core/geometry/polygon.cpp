@@ -15,9 +15,28 @@ void each_side(const Ring& ring, Visit&& visit) {
   for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
 }
 
-// Strictly convex, of positive signed area, starting at the least vertex by (x, y). Andrew's monotone chain.
+bool comes_before(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+// Whether a ring turns the positive way at every vertex, and once around in all.
+bool is_hull(const Ring& ring) {
+  const std::size_t n = ring.size();
+  int returns = 0;  // changes between going right and going left
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point a = ring[i], b = ring[i + 1 < n ? i + 1 : 0], c = ring[i + 2 < n ? i + 2 : i + 2 - n];
+    if (!(cross(b - a, c - b) > 0)) return false;
+    if (comes_before(a, b) != comes_before(b, c)) ++returns;
+  }
+  return returns == 2;
+}
+
+// Strictly convex, of positive signed area, starting at the least vertex by (x, y). Andrew's monotone chain, where
+// the ring isn't that already.
 Ring convex_hull(Ring points) {
-  std::sort(points.begin(), points.end(), [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  if (points.size() >= 3 && is_hull(points)) {
+    std::rotate(points.begin(), std::min_element(points.begin(), points.end(), comes_before), points.end());
+    return points;
+  }
+  std::sort(points.begin(), points.end(), comes_before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   Ring hull;

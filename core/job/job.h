@@ -15,6 +15,7 @@
 #include "tessera/geometry/scene.h"
 #include "tessera/image/image_view.h"
 #include "tessera/mosaic/params.h"
+#include "tessera/patterns/params.h"
 #include "tessera/pavement/params.h"
 #include "tessera/pebbles/params.h"
 #include "tessera/voronoi/lloyd.h"
@@ -26,7 +27,7 @@ inline constexpr int kSchemaVersion = 1;
 inline constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
 
 // One alternative a technique. A new technique adds its struct here and a row to techniques() (techniques.h).
-using TechniqueParams = std::variant<pavement::Params, mosaic::Params, pebbles::Params>;
+using TechniqueParams = std::variant<pavement::Params, mosaic::Params, pebbles::Params, patterns::Params>;
 
 struct Job {
   std::uint64_t seed = 1;  // 0 to kMaxSeed
@@ -61,8 +62,9 @@ struct Outcome {
   PieceSheet sheet;  // with the job in it
   Scene scene{};     // with the job in it; of techniques whose pieces are solid
   std::map<std::string, std::function<Raster()>> rasters{};  // pictures besides the sheet's, by format ("labels.png")
-  std::map<std::string, std::int64_t> counts;                // of the report
-  std::map<std::string, double> metrics;                     // finite
+  std::function<void(Raster&)> finish{};       // of the sheet's picture, where that is more than its pieces
+  std::map<std::string, std::int64_t> counts;  // of the report
+  std::map<std::string, double> metrics;       // finite
   std::vector<Plot> plots;
   std::vector<Raster> frames = {};  // of the iterations, where "apng" was asked for
 };

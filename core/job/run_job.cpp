@@ -30,10 +30,17 @@ std::string in_3d(const Outcome& made, std::string (*write)(const Scene&)) {
   return write(made.scene.views.empty() ? extruded(made.sheet) : made.scene);
 }
 
+std::string picture_of(const Outcome& made, double scale) {
+  if (!made.finish) return write_png(made.sheet, scale);
+  Raster picture = draw_sheet(made.sheet, scale);
+  made.finish(picture);
+  return write_png(picture);
+}
+
 const Format kFormats[] = {
     {"svg", "image/svg+xml", [](const Outcome& made, double) { return write_svg(made.sheet); }},
     {"dxf", "image/vnd.dxf", [](const Outcome& made, double) { return write_dxf(made.sheet); }},
-    {"png", "image/png", [](const Outcome& made, double scale) { return write_png(made.sheet, scale); }},
+    {"png", "image/png", picture_of},
     {"json", "application/geo+json", [](const Outcome& made, double) { return write_geojson(made.sheet); }},
     {"csv", "text/csv", [](const Outcome& made, double) { return write_csv(made.sheet); }},
     {"bom.csv", "text/csv", [](const Outcome& made, double) { return write_bill_csv(made.sheet); }},

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "tessera/job/mosaic_job.h"
+#include "tessera/job/pattern_job.h"
 #include "tessera/job/pavement_job.h"
 #include "tessera/job/pebbles_job.h"
 
@@ -42,6 +43,18 @@ const std::vector<Technique>& techniques() {
        .formats = {"glb", "gltf", "svg", "dxf", "png", "json", "csv", "labels.png", "overlay.png"},
        .defaults = pebbles::Params{},
        .run = run_pebbles_job},
+      {.name = "pattern",
+       .command = "pattern",
+       .help = "Random pattern of a model: cells, bombs or points",
+       .inputs = {{.name = "density",
+                   .help = "Where the cox process has many points: dark for many",
+                   .required = false,
+                   .parameter = "process",
+                   .chosen = "cox"}},
+       .formats = {"svg", "dxf", "png", "json", "csv", "bom.csv", "glb", "gltf"},
+       .defaults = patterns::Params{},
+       .subject = "model",
+       .run = run_pattern_job},
   };
   assert(all.size() == std::variant_size_v<TechniqueParams>);
   return all;

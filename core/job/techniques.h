@@ -28,7 +28,8 @@ struct Technique {
   std::vector<InputRole> inputs;
   std::vector<std::string> formats;  // of JobRequest
   TechniqueParams defaults;
-  TechniqueRun* run;  // pictures hold every required role, the parameters are valid
+  std::string_view subject{};  // the parameter that the command line takes in the place of a picture
+  TechniqueRun* run;           // pictures hold every required role, the parameters are valid
 };
 
 // In the order of TechniqueParams' alternatives.

@@ -1,5 +1,7 @@
 #include "tessera/cli/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -103,12 +105,17 @@ class TechniqueCommand {
         app_.add_option("--" + name, path, std::string(role.help))->type_name("FILE")->group("Inputs");
       }
     }
+    if (!technique.subject.empty()) {
+      app_.add_option(upper(technique.subject), subject_, "What to make; --list names them")->type_name("NAME");
+      app_.add_flag("--list", list_, "Print the names and what they are")->group("Run");
+    }
     app_.footer(kInputsFooter);
   }
 
   bool chosen() const { return app_.parsed(); }
 
-  RunNewJob read(Problems& problems) const {
+  Command read(Problems& problems) const {
+    if (list_) return PrintText{subjects()};
     RunNewJob command;
     command.settings = run_.read(problems);
     command.job.inputs = inputs_;
@@ -116,6 +123,7 @@ class TechniqueCommand {
     command.job.params = technique_.defaults;
     Json given = main_.given();
     given.update(advanced_.given());
+    take_subject(given, problems);
     take_file(given, command.job);
     read_params(given, command.job.params, problems);
     for (const ParameterFlags* flags : {&main_, &advanced_}) flags->name_flags(problems);
@@ -124,6 +132,27 @@ class TechniqueCommand {
   }
 
  private:
+  // "occupancy  each place goes to the nearest point", a line each.
+  std::string subjects() const {
+    std::string text;
+    for (const Parameter& parameter : parameters_of(technique_.defaults)) {
+      if (parameter.info.key != technique_.subject) continue;
+      for (const ParameterChoice& choice : parameter.choices)
+        text += fmt::format("{:<16}{}\n", choice.name, choice.help);
+    }
+    return text;
+  }
+
+  // `tessera pattern occupancy`
+  void take_subject(Json& given, Problems& problems) const {
+    const std::string key(technique_.subject);
+    if (key.empty() || given.contains(key)) return;
+    if (subject_.empty())
+      problems.push_back({StatusCode::kInvalidParameter, key, "is missing, expected a name (see --list)"});
+    else
+      given[key] = subject_;
+  }
+
   // "--segmenter FILE": what is none of the choices is an input's path.
   void take_file(Json& given, Job& job) const {
     const std::vector<Parameter> parameters = parameters_of(technique_.defaults);
@@ -142,6 +171,8 @@ class TechniqueCommand {
   const Technique& technique_;
   CLI::App& app_;
   std::map<std::string, std::string> inputs_;
+  std::string subject_;
+  bool list_ = false;
   ParameterFlags main_, advanced_;
   SettingFlags run_;
 };

@@ -30,7 +30,12 @@ struct PrintSchema {
   bool markdown = false;
 };
 
-using Command = std::variant<RunNewJob, RunSavedJob, PrintSchema>;
+// `tessera pattern --list`
+struct PrintText {
+  std::string text;
+};
+
+using Command = std::variant<RunNewJob, RunSavedJob, PrintSchema, PrintText>;
 
 // What is to be done; else the exit status, when everything has been said already: help, version, wrong usage.
 tl::expected<Command, int> parse_command_line(int argc, const char* const* argv);

@@ -64,11 +64,11 @@ TEST(JobJsonTest, ReportsAllProblems) {
 
 TEST(JobJsonTest, RefusesWrongMembers) {
   EXPECT_EQ(refusal(R"({"technique": "pavement"})").message, "is missing, expected 1");
-  EXPECT_EQ(refusal(R"({"schemaVersion": 1})").message, "is missing, expected pavement, mosaic or pebbles");
+  EXPECT_EQ(refusal(R"({"schemaVersion": 1})").message, "is missing, expected pavement, mosaic, pebbles or pattern");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "cheese"})").message,
-            "is \"cheese\", expected pavement, mosaic or pebbles");
+            "is \"cheese\", expected pavement, mosaic, pebbles or pattern");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": ["pavement"]})").message,
-            "is a list, expected pavement, mosaic or pebbles");
+            "is a list, expected pavement, mosaic, pebbles or pattern");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "pavement", "seed": 9007199254740992})").field, "seed");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "pavement", "seed": 1.5})").field, "seed");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "pavement", "params": []})").field, "params");
