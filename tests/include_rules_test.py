@@ -16,8 +16,9 @@ CORE = {
     'gpu': {'base', 'voronoi'},
     'tessellation': {'base', 'geometry', 'voronoi'},
     'points': {'base', 'geometry'},
+    'statistics': {'base', 'image', 'geometry', 'points'},
 }
-TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation', 'points'}
+TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation', 'points', 'statistics'}
 NATIVE = {'io': {'base', 'image'}, 'egl': {'base'}}
 SOURCES = {'.h', '.cpp'}
 

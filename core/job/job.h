@@ -57,6 +57,8 @@ struct Plot {
   std::variant<Histogram, Curves> figure;
 };
 
+std::string write_plot(const Plot& plot);  // as SVG
+
 // What a technique has made, before it is bytes, in terms that all of them share.
 struct Outcome {
   PieceSheet sheet;  // with the job in it

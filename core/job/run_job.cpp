@@ -98,11 +98,6 @@ void check_pictures(const Technique& technique, const Pictures& pictures, Proble
   }
 }
 
-std::string write_plot(const Plot& plot) {
-  if (const auto* curves = std::get_if<Curves>(&plot.figure)) return write_curves_svg(*curves);
-  return write_histogram_svg(std::get<Histogram>(plot.figure));
-}
-
 Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, const JobRequest& request,
                                                     const RunContext& context) {
   context.stage("format");
@@ -160,6 +155,11 @@ void check_job(const Job& job, Problems& problems) {
 }
 
 }  // namespace
+
+std::string write_plot(const Plot& plot) {
+  if (const auto* curves = std::get_if<Curves>(&plot.figure)) return write_curves_svg(*curves);
+  return write_histogram_svg(std::get<Histogram>(plot.figure));
+}
 
 tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
                                             const RunContext& context, const IterationObserver& observer) {

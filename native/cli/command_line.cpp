@@ -255,6 +255,8 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   app.require_subcommand(0, 1);
   std::list<TechniqueCommand> makers;
   for (const Technique& technique : techniques()) makers.emplace_back(app, technique);
+  Measure measure;
+  const CLI::App& measuring = add_measure_command(app, measure);
   const SavedJobCommand run(app);
   const SchemaCommand schema(app);
 
@@ -272,6 +274,7 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   for (const TechniqueCommand& maker : makers) {
     if (maker.chosen()) command = maker.read(problems);
   }
+  if (measuring.parsed()) command = measure;
   if (run.chosen()) command = run.read(problems);
   if (schema.chosen()) command = schema.read();
   if (!command) problems.push_back(no_command(app));

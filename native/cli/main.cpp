@@ -82,6 +82,8 @@ int execute(const PrintSchema& command) {
       {{StatusCode::kInvalidParameter, command.technique, "is no technique, expected " + either_of(names)}});
 }
 
+int execute(const Measure& command) { return run_measure(command); }
+
 int execute(const PrintText& command) { return print_to_stdout(command.text); }
 
 int main_of(int argc, const char* const* argv) {

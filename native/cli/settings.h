@@ -20,10 +20,10 @@ struct OutputFile {
 
 struct Settings {
   std::vector<OutputFile> outputs;
-  std::string format;                // of outputs whose name has no extension, as "-"
-  std::string report;                // path; empty: none
-  std::string save_job;              // path; empty: none
-  std::string plots;                 // folder; empty: none
+  std::string format;    // of outputs whose name has no extension, as "-"
+  std::string report;    // path; empty: none
+  std::string save_job;  // path; empty: none
+  std::string plots;     // folder; empty: none
   std::optional<std::uint64_t> seed;
   BackendChoice backend = BackendChoice::kAuto;
   int threads = 0;  // 0: all
