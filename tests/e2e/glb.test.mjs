@@ -2,11 +2,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { validateBytes } from 'gltf-validator';
+import { closeBrowser } from './browser/chromium.mjs';
 import { luma, similarity, topView } from './browser/top_view.mjs';
 import { inFolder, native } from './native.mjs';
 import { root } from './root.mjs';
+
+after(closeBrowser);
 
 const sample = join(root, 'public/samples/pebbles.png');
 
