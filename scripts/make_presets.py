@@ -12,6 +12,7 @@ import sys
 import tempfile
 
 from make_samples import decoded
+from make_thumbnails import reduced
 from paint_samples import png
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -44,13 +45,6 @@ def make(tessera, folder, technique, role, params):
     return decoded(made.read_bytes())
 
 
-def reduced(width, height, rows):
-    """The picture's size again; the program draws a small picture larger."""
-    step = width // WIDTH
-    return [[tuple(sum(rows[y * step + j][3 * (x * step + i) + c] for j in range(step) for i in range(step)) / step ** 2
-                   for c in range(3)) for x in range(WIDTH)] for y in range(HEIGHT)]
-
-
 def main():
     tessera = sys.argv[1] if len(sys.argv) > 1 else ROOT / 'build/native-release/bin/tessera'
     presets = json.loads((ROOT / 'web/src/techniques/presets.json').read_text(encoding='utf-8'))
@@ -62,7 +56,7 @@ def main():
                 params = dict(preset['params'])
                 if technique == 'mosaic':
                     params['tiles'] = round(params.get('tiles', 2000) * part)
-                result = reduced(*make(tessera, folder, technique, role, params))
+                result = reduced(*make(tessera, folder, technique, role, params), WIDTH, HEIGHT)  # it draws them larger
                 (ROOT / 'public' / preset['picture']).write_bytes(png(result))
 
 

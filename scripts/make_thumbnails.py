@@ -22,10 +22,10 @@ def pixels_of(sample):
     return decoded(sample.read_bytes())
 
 
-def reduced(width, height, rows):
-    """The middle of the picture in the button's proportions, each pixel the mean of those it stands for."""
-    scale = min(width / WIDTH, height / HEIGHT)
-    left, top = (width - WIDTH * scale) / 2, (height - HEIGHT * scale) / 2
+def reduced(width, height, rows, new_width, new_height):
+    """The middle of the picture in the new size's proportions, each pixel the mean of those it stands for."""
+    scale = min(width / new_width, height / new_height)
+    left, top = (width - new_width * scale) / 2, (height - new_height * scale) / 2
 
     def span(start, k):
         return range(int(start + k * scale), max(int(start + k * scale) + 1, int(start + (k + 1) * scale)))
@@ -33,15 +33,15 @@ def reduced(width, height, rows):
     def mean(columns, lines, c):
         return sum(rows[y][3 * x + c] for y in lines for x in columns) / (len(columns) * len(lines))
 
-    return [[tuple(mean(span(left, i), span(top, j), c) for c in range(3)) for i in range(WIDTH)]
-            for j in range(HEIGHT)]
+    return [[tuple(mean(span(left, i), span(top, j), c) for c in range(3)) for i in range(new_width)]
+            for j in range(new_height)]
 
 
 def main():
     folder = SAMPLES / 'thumbnails'
     folder.mkdir(exist_ok=True)
     for sample in SAMPLES.glob('*.png'):
-        (folder / sample.name).write_bytes(png(reduced(*pixels_of(sample))))
+        (folder / sample.name).write_bytes(png(reduced(*pixels_of(sample), WIDTH, HEIGHT)))
 
 
 if __name__ == '__main__':

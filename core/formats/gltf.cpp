@@ -320,11 +320,15 @@ class Document {
     if (scale != 1) members.add("\"scale\":{}", json_list(glm::dvec3(scale)));
     if (!node.extras.empty()) members.add("\"extras\":{{{}}}", extras_of(node));
     if (!node.instances.empty()) members.add("\"extensions\":{{{}}}", instances_of(node, mesh_scale));
-    if (node.hull) {
-      const int collider = colliders_.add(R"({{"type":"hull","mesh":{}}})", node.mesh);
-      members.add(R"("extensions":{{"OMI_collider":{{"collider":{}}}}})", collider);
-    }
+    if (node.hull) members.add(R"("extensions":{{"OMI_collider":{{"collider":{}}}}})", collider_of(node.mesh));
     nodes_.add("{{{}}}", members.text());
+  }
+
+  // Nodes of one mesh share its collider.
+  int collider_of(int mesh) {
+    const auto [known, is_new] = known_colliders_.try_emplace(mesh, colliders_.count());
+    if (is_new) colliders_.add(R"({{"type":"hull","mesh":{}}})", mesh);
+    return known->second;
   }
 
   static std::string extras_of(const SceneNode& node) {
@@ -424,7 +428,7 @@ class Document {
   const Scene& scene_;
   std::vector<View> views_;
   std::map<std::pair<const std::vector<std::uint32_t>*, bool>, int> indices_;  // accessors; looked up, never walked
-  std::map<int, int> known_textures_, known_samplers_;                         // ours -> the file's
+  std::map<int, int> known_textures_, known_samplers_, known_colliders_;       // ours -> the file's
   std::vector<std::string> images_;
   std::vector<double> mesh_scales_;  // metres to a unit of each mesh's positions
   bool has_instances_ = false;

@@ -16,9 +16,10 @@ namespace {
 
 constexpr double kOffCentre = 0.2;  // of a pebble's radius: how far its outline's centre may be off that of volume
 constexpr double kBumps = 0.2;      // of h, a tenth of the whole height: relief of 1
-constexpr double kNormalMapRelief = 0.5;  // what the normal map shows
-constexpr double kLeastBump = 1.0 / 12;   // of its radius: finer shading is grain
-constexpr double kMostBump = 1.0 / 2;     // coarser shading is its own roundness
+constexpr double kNormalMapRelief = 0.5;             // what the normal map shows
+constexpr double kLeastBump = 1.0 / 12;              // of its radius: finer shading is grain
+constexpr double kMostBump = 1.0 / 2;                // coarser shading is its own roundness
+constexpr const char* kHullSuffix = "-convcolonly";  // as some engines want it
 
 // ---- The photo in the world
 
@@ -228,7 +229,7 @@ class Field {
     if (hull_surface_ < 0) return nodes;
     for (Stone& stone : stones) {
       SceneNode node = node_of(stone, stone.hull, hull_surface_);
-      node.name += "-convcolonly";  // as some engines want it
+      node.name += kHullSuffix;
       node.hull = true;
       nodes.push_back(add(std::move(node)));
     }
@@ -252,8 +253,9 @@ class Field {
       SceneNode node = node_of(stones[i], stones[i].mesh, 0);
       node.translation = glm::dvec3(0);
       node.extras = std::move(stones[i].extras);
-      node.instances = std::move(instances[i]);
+      node.instances = instances[i];
       view.push_back(add(std::move(node)));
+      if (hull_surface_ >= 0) add_strewn_hulls(stones[i], instances[i], view);
     }
   }
 
@@ -286,6 +288,18 @@ class Field {
   int add(SceneNode node) {
     scene_.nodes.push_back(std::move(node));
     return static_cast<int>(scene_.nodes.size()) - 1;
+  }
+
+  // A node for each place of a stone, all of one mesh: engines make bodies of nodes, not of instances.
+  void add_strewn_hulls(Stone& stone, const std::vector<SceneNode::Instance>& places, std::vector<int>& view) {
+    const SceneNode first = node_of(stone, stone.hull, hull_surface_);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      view.push_back(add({.name = first.name + "-" + std::to_string(k + 1) + kHullSuffix,
+                          .translation = places[k].translation,
+                          .rotation = places[k].rotation,
+                          .scale = places[k].scale,
+                          .mesh = first.mesh,
+                          .hull = true}));
   }
 
   SceneNode node_of(const Stone& stone, Mesh& mesh, int surface) {

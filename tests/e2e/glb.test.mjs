@@ -2,11 +2,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { validateBytes } from 'gltf-validator';
+import { closeBrowser } from './browser/chromium.mjs';
 import { luma, similarity, topView } from './browser/top_view.mjs';
 import { inFolder, native } from './native.mjs';
 import { root } from './root.mjs';
+
+after(closeBrowser);
 
 const sample = join(root, 'public/samples/pebbles.png');
 
@@ -17,6 +20,7 @@ test('the validator finds no fault with any kind of field', async () => {
     '--lod 1 --layout merged --ground --ground-hole',
     '--lod 2 --layout both --collider hull',
     '--scatter 500',
+    '--scatter 500 --collider hull --ground',
     '--lod 1 --flatten 0.5 --relief 1 --normal-map --quantize --layout both --ground --collider hull --scatter 500',
   ];
   await inFolder(async (folder) => {

@@ -1,23 +1,20 @@
 // Whole jobs drawn with WebGL2 in a worker of Chromium, also where the context goes away in the middle.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { test } from 'node:test';
-import { launch } from './browser/chromium.mjs';
-import { serve } from './browser/serve.mjs';
+import { after, test } from 'node:test';
+import { closeBrowser, withPage } from './browser/chromium.mjs';
 import { root } from './root.mjs';
 
-async function pave(threads, loseAt) {
-  const host = await serve(
-    {
-      '/package/': join(root, 'web/package/dist'),
-      '/samples/': join(root, 'public/samples'),
-      '/': join(root, 'tests/e2e/browser'),
-    },
-    { isolated: threads > 1 },
-  );
-  const browser = await launch();
-  try {
-    const page = await browser.newPage();
+after(closeBrowser);
+
+const roots = {
+  '/package/': join(root, 'web/package/dist'),
+  '/samples/': join(root, 'public/samples'),
+  '/': join(root, 'tests/e2e/browser'),
+};
+
+const pave = (threads, loseAt) =>
+  withPage({ roots, isolated: threads > 1 }, async (page, host) => {
     await page.goto(`${host.address}/blank.html`);
     return await page.evaluate(
       (request) =>
@@ -29,11 +26,7 @@ async function pave(threads, loseAt) {
         }),
       { address: '/samples/waves.png', threads, loseAt },
     );
-  } finally {
-    await browser.close();
-    await host.stop();
-  }
-}
+  });
 
 const stones = (svg) => svg.match(/class="stone"/g).length;
 

@@ -1,28 +1,23 @@
 // tests/parity, compiled to WebAssembly, with WebGL2 in a worker of Chromium: the same tests as natively.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch } from './browser/chromium.mjs';
-import { serve } from './browser/serve.mjs';
+import { closeBrowser, withPage } from './browser/chromium.mjs';
+
+after(closeBrowser);
 
 const here = fileURLToPath(new URL('./browser', import.meta.url));
 const builds = fileURLToPath(new URL('../../build', import.meta.url));
 
-async function runInBrowser(preset) {
+function runInBrowser(preset) {
   const bin = `${builds}/${preset}/bin`;
   assert.ok(existsSync(`${bin}/tessera_parity_tests.js`), `${preset} is not built`);
-  const host = await serve({ '/bin/': bin, '/': here }, { isolated: true });
-  const browser = await launch();
-  try {
-    const page = await browser.newPage();
+  return withPage({ roots: { '/bin/': bin, '/': here }, isolated: true }, async (page, host) => {
     await page.goto(`${host.address}/parity.html`);
     await page.waitForFunction(() => window.lines.some((line) => /PASSED|error:/.test(line)), null, { timeout: 400_000 });
     return await page.evaluate(() => window.lines);
-  } finally {
-    await browser.close();
-    await host.stop();
-  }
+  });
 }
 
 for (const preset of ['wasm-release', 'wasm-release-single']) {

@@ -1,12 +1,12 @@
 // The Pebbles tab as people use it.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { validateBytes } from 'gltf-validator';
 import { closeBrowser, withApp } from './browser/app.mjs';
 import { checkLook, looks } from './browser/looks.mjs';
-import { inFolder, nativeFile } from './native.mjs';
+import { inFolder, native, nativeFile } from './native.mjs';
 import { root } from './root.mjs';
 
 after(closeBrowser);
@@ -33,6 +33,12 @@ const again = async (app) => {
   await app.finished();
   await app.fieldShown();
 };
+
+/** Until the run that is done has found so many; a short run may be over before anybody sees it go on. */
+async function untilCount(app, count) {
+  await app.page.locator('.bar-text strong').getByText(`${count} pebbles`, { exact: true }).waitFor();
+  await app.finished();
+}
 
 /** What a GLB says of itself. */
 function gltfOf(glb) {
@@ -146,6 +152,46 @@ test('pebbles are merged, deleted, split and added, and all of it undone', async
     await again(app);
     assert.equal(await countOf(app), before);
     assert.match(await editsOf(app), /^delete [^;]*; add [^;]*$/);
+  });
+});
+
+test('a label picture made elsewhere says where the pebbles are', async () => {
+  await inFolder(async (folder) => {
+    const sample = join(root, 'public/samples/pebbles.png');
+    const file = join(folder, 'made elsewhere.png');
+    native('pebbles', sample, '--smallest', '16', '--labels', file, '-o', join(folder, 'found.csv'));
+    native('pebbles', sample, '--segmenter', file, '-o', join(folder, 'again.csv'));
+    const pebbles = readFileSync(join(folder, 'again.csv'), 'utf8').trim().split('\n').length - 1;
+    const small = join(folder, 'small.png');
+    writeFileSync(small, readFileSync(join(root, 'public/icon-192.png')));
+
+    await withPebbles({}, async (app, page) => {
+      const searched = await countOf(app);
+      assert.ok(pebbles > 60 && pebbles < searched, `${pebbles} of ${searched}`);
+      await page.getByLabel('Segmentation', { exact: true }).setInputFiles(file);
+      await untilCount(app, pebbles);
+      assert.equal(await page.getByLabel('Segmenter', { exact: true }).inputValue(), 'labels');
+      const job = await app.download('job');
+      const glb = await app.download('GLB');
+      const { inputs, params } = JSON.parse(job.text);
+      assert.deepEqual([inputs.segmentation, params.segmenter], ['made elsewhere.png', 'labels']);
+      const segmentation = readFileSync(file);
+      assert.deepEqual(
+        verticesOf(gltfOf(nativeFile(folder, job.text, { photo, segmentation }, 'glb'))),
+        verticesOf(gltfOf(glb.bytes)),
+      );
+
+      await app.button('Remove segmentation').click();
+      await untilCount(app, searched);
+      assert.equal((await jobOf(app)).inputs.segmentation, undefined);
+      await page.keyboard.press('Control+z');
+      await untilCount(app, pebbles);
+      await page.getByText('pebbles by made elsewhere.png').waitFor();
+
+      await page.getByLabel('Segmentation', { exact: true }).setInputFiles(small);
+      await page.getByRole('alert').waitFor();
+      assert.match(await page.getByRole('alert').textContent(), /“small\.png” is 192 x 192 px, expected the photo's 900 x 600/);
+    });
   });
 });
 

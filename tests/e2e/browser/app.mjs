@@ -2,34 +2,27 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { root } from '../root.mjs';
-import { launch } from './chromium.mjs';
-import { serve } from './serve.mjs';
+import { withPage } from './chromium.mjs';
 
-const site = `${root}/web/dist`;
+export { closeBrowser } from './chromium.mjs';
+
+const roots = { '/': `${root}/web/dist` };
 const patience = { timeout: 120_000 };
 const kViewport = { width: 1240, height: 720 }; // a processor draws here: with more pixels everything takes longer
-
-// One for all tests of a file: a browser takes seconds for its first page, whose shaders it compiles.
-let browser;
-export const closeBrowser = () => browser?.close();
 
 /**
  * Opens the app and hands it to `use`; afterwards there may be no complaint on its console and no request abroad.
  * `scripts`: what the page gets in the place of the site's, by their addresses.
  */
-export async function withApp({ isolated, viewport = kViewport, hash = '', scripts = {}, ...options }, use) {
-  const host = await serve({ '/': site }, { isolated });
-  if (!browser?.isConnected()) browser = await launch();
-  const context = await browser.newContext({ viewport, acceptDownloads: true, ...options });
-  const complaints = [];
-  try {
+export const withApp = ({ isolated, viewport = kViewport, hash = '', scripts = {}, ...options }, use) =>
+  withPage({ roots, isolated, viewport, acceptDownloads: true, ...options }, async (page, host) => {
+    const complaints = [];
     for (const [address, body] of Object.entries(scripts))
-      await context.route(address, (route) => route.fulfill({ contentType: 'text/javascript', body }));
-    context.on('request', (request) => {
+      await page.context().route(address, (route) => route.fulfill({ contentType: 'text/javascript', body }));
+    page.context().on('request', (request) => {
       if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(host.address))
         complaints.push(`a request to ${request.url()}`);
     });
-    const page = await context.newPage();
     page.setDefaultTimeout(patience.timeout);
     page.on('console', (message) => {
       if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
@@ -38,11 +31,7 @@ export async function withApp({ isolated, viewport = kViewport, hash = '', scrip
     await page.goto(`${host.address}${hash}`);
     await use(new App(page, host), page);
     assert.deepEqual(complaints, []);
-  } finally {
-    await context.close();
-    await host.stop();
-  }
-}
+  });
 
 class App {
   constructor(page, host) {

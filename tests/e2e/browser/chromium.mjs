@@ -1,5 +1,6 @@
 // Debian's Chromium without a screen, its graphics drawn in software.
 import { chromium } from 'playwright-core';
+import { serve } from './serve.mjs';
 
 export const launch = () =>
   chromium.launch({
@@ -17,3 +18,23 @@ export const launch = () =>
       '--enable-unsafe-swiftshader',
     ],
   });
+
+// One for all tests of a file: a browser takes seconds for its first page, whose shaders it compiles.
+let browser;
+export const closeBrowser = () => browser?.close();
+
+/**
+ * Hands `use` an empty page, and a host that serves `roots` ({'/prefix/': folder}) to it, isolated so that it may use
+ * threads or not. `options` are those of a context of the browser's, which is the page's own.
+ */
+export async function withPage({ roots, isolated, ...options }, use) {
+  const host = await serve(roots, { isolated });
+  if (!browser?.isConnected()) browser = await launch();
+  const context = await browser.newContext(options);
+  try {
+    return await use(await context.newPage(), host);
+  } finally {
+    await context.close();
+    await host.stop();
+  }
+}

@@ -1,23 +1,17 @@
 // A field of pebbles from above beside its photo, and how alike the two are.
 import { basename, dirname, join } from 'node:path';
 import { root } from '../root.mjs';
-import { launch } from './chromium.mjs';
-import { serve } from './serve.mjs';
+import { withPage } from './chromium.mjs';
 
 /** Both as { width, height, rgba }. `metres`: the photo's width in the GLB. */
-export async function topView(glb, photo, metres = 1) {
-  const host = await serve(
-    {
-      '/three/': join(root, 'node_modules/three'),
-      '/glb/': dirname(glb),
-      '/photo/': dirname(photo),
-      '/': join(root, 'tests/e2e/browser'),
-    },
-    { isolated: false },
-  );
-  const browser = await launch();
-  try {
-    const page = await browser.newPage();
+export function topView(glb, photo, metres = 1) {
+  const roots = {
+    '/three/': join(root, 'node_modules/three'),
+    '/glb/': dirname(glb),
+    '/photo/': dirname(photo),
+    '/': join(root, 'tests/e2e/browser'),
+  };
+  return withPage({ roots, isolated: false }, async (page, host) => {
     await page.goto(`${host.address}/top_view.html`);
     await page.waitForFunction(() => window.ready);
     const { width, height, pixels } = await page.evaluate(
@@ -30,10 +24,7 @@ export async function topView(glb, photo, metres = 1) {
     );
     const image = (text) => ({ width, height, rgba: Buffer.from(text, 'base64') });
     return { photo: image(pixels), field: image(drawn) };
-  } finally {
-    await browser.close();
-    await host.stop();
-  }
+  });
 }
 
 /** Lightness, 0 to 255, of every pixel (Rec. 601). */

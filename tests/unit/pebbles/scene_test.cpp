@@ -267,6 +267,45 @@ TEST(Scatter, IsThatOfItsSeed) {
   EXPECT_EQ(instances, 100U);
 }
 
+TEST(Scatter, EachStoneHasABodyWhereItLies) {
+  const Beach beach;
+  Params params;
+  params.scatter = 100;
+  params.flatten = 0.5;
+  params.collider = Collider::kHull;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Scene scene = beach.scene(params, seed);
+    std::size_t bodies = 0;
+    std::set<std::string> names;
+    const SceneNode* strewn = nullptr;
+    std::size_t place = 0;
+    for (const SceneNode& node : scene.nodes) {
+      EXPECT_TRUE(names.insert(node.name).second) << node.name;
+      if (!node.instances.empty()) strewn = &node, place = 0;
+      if (!node.hull) continue;
+      ASSERT_NE(strewn, nullptr);
+      ASSERT_LT(place, strewn->instances.size());
+      const SceneNode::Instance& instance = strewn->instances[place++];
+      EXPECT_EQ(node.name, strewn->name + "-" + std::to_string(place) + "-convcolonly");
+      EXPECT_EQ(node.translation, instance.translation);
+      EXPECT_EQ(node.rotation, instance.rotation);
+      EXPECT_EQ(node.scale, instance.scale);
+      // In the stone's own frame, the hull lies within its mesh's bounds.
+      const auto reach = [&](int mesh, int axis) {
+        float most = 0;
+        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(mesh)].positions)
+          most = std::max(most, std::fabs(p[axis]));
+        return most;
+      };
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_LE(reach(node.mesh, axis), 1.001F * reach(strewn->mesh, axis)) << node.name;
+      ++bodies;
+    }
+    EXPECT_EQ(bodies, 100U);
+    EXPECT_EQ(scene.views[0].nodes.size(), scene.nodes.size());
+  }
+}
+
 TEST(PebblesTexture, KeepsPebblesAndCoversTheGroundWithTheirColours) {
   const Beach beach;
   const Texture texture = pebbles_texture(beach.photo(), beach.labels);

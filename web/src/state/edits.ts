@@ -5,7 +5,7 @@ import { sameParams, withValue, type Field, type Params } from './form';
 import { push, redo as redone, undo as undone } from './history';
 import { runSoon } from './runner';
 import { isNothing, kNothingDrawn, type Drawn } from './drawn';
-import { edits, fields, problems, type Edits } from './store';
+import { edits, fields, kByLabels, kSegmenter, labels, problems, type Edits } from './store';
 
 /** The parameter that tells what people have corrected in the picture. */
 export const kCorrections = 'edits';
@@ -66,10 +66,12 @@ export function dropDrawn(): void {
   if (!isNothing(edits.value.present.drawn)) change('', { drawn: kNothingDrawn });
 }
 
-/** The same of what was corrected in it. Does not run. */
+/** The same of what was corrected in it, and of a label picture of it. Does not run. */
 export function dropCorrections(): void {
-  const { [kCorrections]: corrections, ...params } = edits.value.present.params;
-  if (corrections !== undefined) change('', { params });
+  labels.value = null;
+  const { [kCorrections]: corrections, ...others } = edits.value.present.params;
+  const { [kSegmenter]: segmenter, ...params } = others;
+  change('', { params: segmenter === kByLabels ? params : others });
 }
 
 export const undo = () => step(undone(edits.value));

@@ -6,7 +6,8 @@ import { differing } from './form';
 import { client } from './page';
 import { sampleNamed, useSample } from './pictures';
 import { generate } from './runner';
-import { alerts, alertWith, drawn, fields, inputRole, picture } from './store';
+import { kLabels } from '../worker/protocol';
+import { alerts, alertWith, drawn, fields, inputRole, kSegmenter, labels, picture } from './store';
 import { switchTo } from './tabs';
 
 export async function openJob(file: File): Promise<void> {
@@ -19,10 +20,18 @@ export async function openJob(file: File): Promise<void> {
   if (!entryOf(answer.technique))
     return alertWith(`“${file.name}” is a job of ${answer.technique}, which is not there yet.`);
   switchTo(answer.technique);
-  changeParams(differing(fields.value, answer.params), answer.seed);
-  const { [inputRole.value]: path, ...others } = answer.inputs;
+  const { [inputRole.value]: path, [kLabels]: labelPath, ...others } = answer.inputs;
+  const labelsLost = labelPath !== undefined && nameOf(labelPath) !== labels.value?.name;
+  const { [kSegmenter]: segmenter, ...params } = differing(fields.value, answer.params);
+  changeParams(segmenter === undefined || labelsLost ? params : { ...params, [kSegmenter]: segmenter }, answer.seed);
   if (!sameDrawn(others)) dropDrawn();
   await findPicture(path);
+  if (labelsLost)
+    alertWith(
+      ...alerts.value,
+      `The job was made with the label picture “${nameOf(labelPath)}”, which a page cannot open by itself: it searches ` +
+        'for the pebbles. Choose that file as the segmentation.',
+    );
   const lost = sameDrawn(others) ? [] : Object.values(others).map((other) => `“${nameOf(other)}”`);
   if (lost.length)
     alertWith(

@@ -3,7 +3,7 @@
 import { batch } from '@preact/signals';
 import type { Job, Problem } from 'tessera-wasm';
 import { schema } from 'tessera-wasm/description';
-import { kPicture } from '../worker/protocol';
+import { kLabels, kPicture } from '../worker/protocol';
 import { drawnPictures, type DrawnPicture } from './drawn';
 import { endingOf, fileKinds } from './files';
 import { valueOf } from './form';
@@ -14,12 +14,14 @@ import {
   alerts,
   alertWith,
   backend,
+  byLabels,
   clearAlerts,
   drawn,
   entry,
   fields,
   inputRole,
   known,
+  labels,
   notice,
   opening,
   outcome,
@@ -46,6 +48,7 @@ function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
     params: Object.fromEntries(fields.value.map((field) => [field.key, valueOf(field, params.value)])),
     inputs: {
       ...(picture.value && { [inputRole.value]: picture.value.name }),
+      ...(byLabels.value && labels.value && { [kLabels]: labels.value.name }),
       ...Object.fromEntries(drawnOnes.map(({ role, name }) => [role, name])),
     },
   };
@@ -204,6 +207,10 @@ function sentenceOf({ code, field, message }: Problem): string {
   if (code === 'internal') return `The run failed: ${message}. Try it once more, or with a smaller picture.`;
   const title = fields.value.find((f) => f.key === field)?.title;
   if (title) return `${title} ${message}.`;
-  const what = field === inputRole.value ? `“${picture.value?.name ?? entry.value.title}”` : field;
+  const names: Readonly<Record<string, string | undefined>> = {
+    [inputRole.value]: picture.value?.name ?? entry.value.title,
+    [kLabels]: labels.value?.name,
+  };
+  const what = names[field] ? `“${names[field]}”` : field;
   return what ? `${what} ${message}.` : `${message}.`;
 }

@@ -29,6 +29,10 @@ export interface PictureInfo extends Size {
   sample: string | null;
 }
 
+/** The parameter that says how pebbles are found, and its value for a label picture. */
+export const kSegmenter = 'segmenter';
+export const kByLabels = 'labels';
+
 export interface Run {
   stage: string;
   fraction: number;
@@ -63,6 +67,8 @@ export const graphics = signal<Graphics | null>(null);
 export const technique = signal(pavement.name);
 export const edits = signal<History<Edits>>(freshEdits());
 export const picture = signal<PictureInfo | null>(null);
+/** A label picture made elsewhere, which says where the pebbles of this picture are. */
+export const labels = signal<{ name: string } | null>(null);
 /** A picture is on its way; it runs as soon as it is there. */
 export const opening = signal(false);
 export const run = signal<Run | null>(null);
@@ -78,8 +84,12 @@ export const piece = signal<PieceFacts | null>(null);
 export const tool = signal<Tool | null>(null);
 
 export const entry = computed(() => entryOf(technique.value) ?? pavement);
-export const fields = computed(() => fieldsOf(schema, technique.value, entry.value.without));
 export const params = computed(() => edits.value.present.params);
+/** Whether the label picture is what this technique searches by. */
+export const byLabels = computed(() => params.value[kSegmenter] === kByLabels);
+export const fields = computed(() =>
+  fieldsOf(schema, technique.value, labels.value || byLabels.value ? {} : entry.value.without),
+);
 export const seed = computed(() => edits.value.present.seed);
 export const drawn = computed(() => edits.value.present.drawn);
 /** The engine's word on the technique. */

@@ -1,9 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { Brush, ImageUp, Paintbrush, Spline, Type } from 'lucide-preact';
+import { Brush, Grid2x2Check, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
+import { leaveLabels, takesLabels, useLabels } from '../state/labels';
 import { usePicture, useSample } from '../state/pictures';
 import { startSketch } from '../state/sketch';
-import { entry, picture, tool } from '../state/store';
+import { byLabels, entry, labels, picture, tool } from '../state/store';
 import { useWord } from '../state/word';
 
 export const kPictureTypes = 'image/png,image/jpeg,image/webp,image/bmp,image/gif,image/tiff,.tif,.tiff';
@@ -20,6 +21,7 @@ export function PictureInput() {
           <ImageUp size={20} aria-hidden />
           Image
         </label>
+        {takesLabels() && <LabelsButton />}
         {entry.value.tools.map((name) =>
           name === 'word' ? (
             <button
@@ -72,6 +74,7 @@ export function PictureInput() {
           </span>
         </p>
       )}
+      {takesLabels() && byLabels.value && labels.value && <LabelsName name={labels.value.name} />}
     </section>
   );
 }
@@ -96,6 +99,46 @@ function ToolButton({ name }: { name: keyof typeof kTools }) {
       <Icon size={20} aria-hidden />
       {title}
     </button>
+  );
+}
+
+/** Where the pebbles are, from another program, in place of the search. */
+function LabelsButton() {
+  return (
+    <label
+      class="source"
+      title="A picture of the photo's size that says where the pebbles are: each number or colour one, black the ground"
+    >
+      <input
+        type="file"
+        class="unseen"
+        accept={kPictureTypes}
+        onChange={({ currentTarget: input }) => {
+          const file = input.files?.[0];
+          if (file) void useLabels(file);
+          input.value = '';
+        }}
+      />
+      <Grid2x2Check size={20} aria-hidden />
+      Segmentation
+    </label>
+  );
+}
+
+function LabelsName({ name }: { name: string }) {
+  return (
+    <p class="picture-name labels-name" title={name}>
+      <span>pebbles by</span> {name}
+      <button
+        type="button"
+        class="tool"
+        aria-label="Remove segmentation"
+        title="Search for the pebbles instead"
+        onClick={leaveLabels}
+      >
+        <X size={15} aria-hidden />
+      </button>
+    </p>
   );
 }
 

@@ -1,4 +1,5 @@
-// Pictures from files. What the browser decodes, it decodes; TIFF has a decoder of its own, loaded when one comes.
+// Pictures from files. What the browser decodes, it decodes; TIFF and numbers of 16 bits have decoders of their own,
+// loaded when one comes.
 
 import type { Picture } from 'tessera-wasm';
 import { readHeader } from './picture-header';
@@ -18,7 +19,8 @@ export interface Opened {
   pixels(): Picture;
 }
 
-export async function open(blob: Blob, name: string): Promise<Opened> {
+/** `numbers`: its pixels are not colours, and may be too large for a canvas. */
+export async function open(blob: Blob, name: string, numbers = false): Promise<Opened> {
   const bytes = new Uint8Array(await blob.arrayBuffer());
   if (bytes.length === 0) throw new PictureError(`“${name}” is empty. Choose another file.`);
   const header = readHeader(bytes);
@@ -27,6 +29,7 @@ export async function open(blob: Blob, name: string): Promise<Opened> {
   }
   refuseTooLarge(name, header.width, header.height);
   try {
+    if (numbers && isDeepGrey(bytes)) return await openNumbers(bytes);
     return header.kind === 'TIFF' ? await openTiff(bytes, name) : await openByBrowser(blob, name);
   } catch (error) {
     if (error instanceof PictureError) throw error;
@@ -59,8 +62,29 @@ async function openTiff(bytes: Uint8Array, name: string): Promise<Opened> {
   const { width, height } = first;
   const data = toRGBA8(first);
   if (!(width > 0 && height > 0) || data.length !== 4 * width * height) throw new Error('damaged');
-  const image = new ImageData(new Uint8ClampedArray(data), width, height);
+  return openPixels(new Uint8ClampedArray(data), width, height);
+}
+
+async function openPixels(data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): Promise<Opened> {
+  const image = new ImageData(data, width, height);
   return { width, height, bitmap: await toLookAt(image, width, height), pixels: () => image };
+}
+
+/** A PNG of 16 bits of grey. */
+const isDeepGrey = (bytes: Uint8Array) => bytes[0] === 0x89 && bytes[24] === 16 && bytes[25] === 0;
+
+/** The high byte as green, the low one as blue: the same pixels as the command line makes of such a file. */
+async function openNumbers(bytes: Uint8Array): Promise<Opened> {
+  const { decode } = await import('fast-png');
+  const { width, height, data: numbers } = decode(bytes, { checkCrc: true });
+  const data = new Uint8ClampedArray(4 * width * height);
+  for (let i = 0; i < width * height; ++i) {
+    const number = numbers[i] ?? 0;
+    data[4 * i + 1] = number >> 8;
+    data[4 * i + 2] = number & 255;
+    data[4 * i + 3] = 255;
+  }
+  return openPixels(data, width, height);
 }
 
 /** Over white, and scaled; the bitmap is used up. */

@@ -4,6 +4,7 @@ import { createTessera, TesseraError, type Iteration, type Picture, type Problem
 import { open, PictureError, scaled, type Opened } from './decode';
 import { countColours, parsePieces, transferable } from './pieces';
 import {
+  kLabels,
   kPicture,
   type EngineToPainter,
   type FromEngine,
@@ -70,7 +71,7 @@ async function boot({ base, threads, wasm, graphics: known }: ToEngine & { type:
 
 async function takePicture({ id, slot, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
   try {
-    const opened = await open(blob, name);
+    const opened = await open(blob, name, slot === kLabels);
     pictures.set(slot, { opened });
     const { bitmap, width, height } = opened;
     if (slot === kPicture) show({ type: 'source', bitmap, width, height }, [bitmap]);

@@ -26,6 +26,9 @@ export interface EngineInfo {
 /** Where the worker keeps the picture that is on the stage; other slots have pictures that were drawn over it. */
 export const kPicture = 'picture';
 
+/** The role, and the slot, of a label picture: its pixels are numbers, not colours. */
+export const kLabels = 'segmentation';
+
 export interface RunRequest {
   job: Job;
   /** The slot of each picture that the job has, by its role. */
