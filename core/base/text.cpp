@@ -33,6 +33,16 @@ bool parse_colour(std::string_view text, Rgb& colour) {
   return true;
 }
 
+std::string colour_text(Rgb colour) {
+  constexpr char kHex[] = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t level : {colour.r, colour.g, colour.b}) {
+    text += kHex[level >> 4];
+    text += kHex[level & 15];
+  }
+  return text;
+}
+
 bool parse_number(std::string_view text, double& value) {
   // from_chars of a double is missing in older libraries of one of our targets.
   if (text.empty() || text.size() > 32 || text.find_first_not_of("0123456789.+-eE") != std::string_view::npos)

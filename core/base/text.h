@@ -1,6 +1,7 @@
 // Small texts that people write into parameters.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,9 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 
 // "#rrggbb", "#rgb", with or without '#'. False, and `colour` stays, for anything else.
 bool parse_colour(std::string_view text, Rgb& colour);
+
+// "#rrggbb"
+std::string colour_text(Rgb colour);
 
 // A decimal number, the whole text. False, and `value` stays, for anything else.
 bool parse_number(std::string_view text, double& value);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/base/text.h"
 #include "tessera/job/job_json.h"
 #include "tessera/statistics/cells.h"
 #include "tessera/statistics/classes.h"
@@ -19,8 +20,6 @@ namespace {
 
 constexpr int kDistances = 24;
 constexpr double kPixelsACell = 24;  // along a mean cell, where cells are drawn to throw needles on
-
-std::string hex(Rgb c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
 // Six digits: more would be noise.
 double rounded(double v) {
@@ -120,8 +119,9 @@ Json classes_json(const statistics::Classes& classes) {
   const auto shares = statistics::shares_of(classes), widths = statistics::patch_widths(classes);
   Json list = Json::array();
   for (std::size_t k = 0; k < shares.size(); ++k)
-    list.push_back(
-        {{"colour", hex(classes.colours[k])}, {"share", rounded(shares[k])}, {"patch_width_px", rounded(widths[k])}});
+    list.push_back({{"colour", colour_text(classes.colours[k])},
+                    {"share", rounded(shares[k])},
+                    {"patch_width_px", rounded(widths[k])}});
   return list;
 }
 

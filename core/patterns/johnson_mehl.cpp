@@ -307,6 +307,7 @@ Result<Cells> johnson_mehl_cells(const std::vector<Nucleus>& nuclei, const Windo
     if (i % 1024 == 0)
       if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
     Ring ring = builder.cell(static_cast<int>(i));
+    if (ring.size() < 3) continue;  // between two neighbours, thinner than the tolerance: a chord of both
     if (window.periodic)
       cells.push_back(std::move(ring));
     else

@@ -257,6 +257,8 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   for (const Technique& technique : techniques()) makers.emplace_back(app, technique);
   Measure measure;
   const CLI::App& measuring = add_measure_command(app, measure);
+  FitCommand fit;
+  const CLI::App& fitting = add_fit_command(app, fit);
   const SavedJobCommand run(app);
   const SchemaCommand schema(app);
 
@@ -275,6 +277,7 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
     if (maker.chosen()) command = maker.read(problems);
   }
   if (measuring.parsed()) command = measure;
+  if (fitting.parsed()) command = fit;
   if (run.chosen()) command = run.read(problems);
   if (schema.chosen()) command = schema.read();
   if (!command) problems.push_back(no_command(app));

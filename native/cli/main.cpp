@@ -84,6 +84,8 @@ int execute(const PrintSchema& command) {
 
 int execute(const Measure& command) { return run_measure(command); }
 
+int execute(const FitCommand& command) { return run_fit(command); }
+
 int execute(const PrintText& command) { return print_to_stdout(command.text); }
 
 int main_of(int argc, const char* const* argv) {

@@ -116,5 +116,23 @@ class MeasureTest(CliTest):
         self.fail_with(2, 'measure', says=['FILE'])
 
 
+class FitTest(CliTest):
+    def test_a_picture_becomes_a_job(self):
+        for model, flags in (('occupancy', []), ('checkerboard', []), ('gaussian', ['--variation', 'none'])):
+            self.succeed('pattern', model, '--width', 300, '--height', 300, '--size', 12, *flags, '-o', 'a.png')
+            self.succeed('fit', 'a.png', '-o', 'j.json', '--report', 'r.json')
+            report = json.loads(self.bytes_of('r.json'))
+            self.assertEqual(report['model'], model)
+            self.succeed('run', 'j.json', '-o', 'b.svg')
+            self.assertGreater(self.bytes_of('b.svg').count(b'<path '), 300)
+
+    def test_what_is_wrong_is_said(self):
+        self.put('flat.png', png(60, 60, lambda x, y: 9))
+        self.fail_with(3, 'fit', 'flat.png', says=['flat.png', 'one colour'])
+        self.put('small.png', png(20, 20, lambda x, y: 255 * (x % 2)))
+        self.fail_with(3, 'fit', 'small.png', says=['small.png', '32 x 32'])
+        self.fail_with(3, 'fit', 'missing.png', says=['missing.png'])
+
+
 if __name__ == '__main__':
     unittest.main()

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/patterns/johnson_mehl.h"
 #include "tessera/patterns/run.h"
 #include "tessera/patterns/voronoi_cells.h"
 #include "tessera/points/processes.h"
@@ -179,6 +180,23 @@ TEST(VoronoiCellsTest, DegeneratePoints) {
   }
   EXPECT_TRUE(delaunay_cells({{1, 1}, {2, 2}}, window).empty());
   EXPECT_TRUE(delaunay_cells({{1, 5}, {3, 5}, {5, 5}}, window).empty());
+}
+
+TEST(JohnsonMehlTest, ACellThinnerThanTheToleranceIsNone) {
+  const Window window{{-10, -10}, {20, 10}};
+  const double rate = 0.01;
+  for (const double late : {3.0, 4.9, 4.999, 4.999999}) {
+    const std::vector<Nucleus> nuclei = {{{0, 0}, 0}, {{10, 0}, 0}, {{5, 0}, late}};
+    const auto cells = johnson_mehl_cells(nuclei, window, rate, 0.01, {});
+    ASSERT_TRUE(cells.has_value());
+    double area = 0;
+    for (const Ring& ring : *cells) {
+      EXPECT_GE(ring.size(), 3u);
+      area += signed_area(ring);
+    }
+    EXPECT_NEAR(area, 600, 1e-9);
+    EXPECT_EQ(cells->size(), late < 4.99 ? 3u : 2u) << late;
+  }
 }
 
 TEST(BombsTest, CoverWhatTheClosedFormSays) {

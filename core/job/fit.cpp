@@ -1,0 +1,329 @@
+#include "tessera/job/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "tessera/base/portable_math.h"
+#include "tessera/base/text.h"
+#include "tessera/patterns/run.h"
+#include "tessera/statistics/borders.h"
+#include "tessera/statistics/cells.h"
+#include "tessera/statistics/classes.h"
+#include "tessera/statistics/closed_forms.h"
+#include "tessera/statistics/needles.h"
+
+namespace tessera {
+namespace {
+
+using patterns::Model;
+using statistics::Classes;
+
+constexpr double kWantedSpacing = 10;  // px between borders of the reduced picture
+constexpr int kLargestSide = 900;      // px, of what marks are taken from
+constexpr int kNeedles = 60000;        // a length
+constexpr int kOwnPictures = 5;        // of each model
+constexpr int kLengths = 12;
+
+// What is looked at: classes without colours, reduced so that borders are a few pixels apart.
+struct Labels {
+  cv::Mat1b map;
+  double factor = 1;           // pixels of the picture to one of these
+  std::vector<double> shares;  // of the classes
+  double by_chance = 0;        // the chance that two cells have one class
+};
+
+double sum_of_squares(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v * v;
+  return sum;
+}
+
+Labels reduced(const Classes& classes) {
+  const double crossings = std::max(statistics::boundary_crossings(classes), 1e-6);
+  const int by_spacing = static_cast<int>(1 / crossings / kWantedSpacing);
+  const int factor = std::clamp(by_spacing, 1, std::max(1, std::min(classes.labels.rows, classes.labels.cols) / 64));
+  Labels labels;
+  labels.factor = factor;
+  labels.map.create(classes.labels.rows / factor, classes.labels.cols / factor);
+  for (int y = 0; y < labels.map.rows; ++y)
+    for (int x = 0; x < labels.map.cols; ++x)
+      labels.map(y, x) = classes.labels(y * factor + factor / 2, x * factor + factor / 2);
+  labels.shares = statistics::shares_of(classes);
+  labels.by_chance = sum_of_squares(labels.shares);
+  return labels;
+}
+
+// ---- W(d)
+
+// W(d) of labels, by needles: of lengths up to three spacings.
+struct Curve {
+  std::vector<double> lengths, values;
+};
+
+Curve measured_curve(const Labels& labels, double spacing, Rng& rng) {
+  Curve curve;
+  const double longest = std::min(2.5 * spacing, std::min(labels.map.rows, labels.map.cols) / 3.0);
+  for (int k = 1; k <= kLengths; ++k) curve.lengths.push_back(longest * k / kLengths);
+  // The labels' shares are those of the picture, whatever these few cells have.
+  const cv::Mat1i map = cv::Mat1i(labels.map);
+  for (const double agree : statistics::same_cell(map, curve.lengths, kNeedles, rng))
+    curve.values.push_back((agree - labels.by_chance) / (1 - labels.by_chance));
+  return curve;
+}
+
+// W of a model against d times the square root of cells an area; a table, since some have none but a simulated one.
+class Form {
+ public:
+  explicit Form(std::function<double(double)> exact) {
+    for (int k = 0; k <= kSteps; ++k) table_.push_back(exact(kReach * k / kSteps));
+  }
+  double at(double u) const {
+    const double place = std::clamp(u / kReach, 0.0, 1.0) * kSteps;
+    const int k = std::min(kSteps - 1, static_cast<int>(place));
+    return table_[k] + (place - k) * (table_[k + 1] - table_[k]);
+  }
+
+ private:
+  static constexpr int kSteps = 120;
+  static constexpr double kReach = 6;
+  std::vector<double> table_;
+};
+
+double residual_of(const Curve& curve, const Form& form, double cells) {
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.lengths.size(); ++i) {
+    const double off = curve.values[i] - form.at(curve.lengths[i] * std::sqrt(cells));
+    sum += off * off;
+  }
+  return std::sqrt(sum / static_cast<double>(curve.lengths.size()));
+}
+
+// The cells an area whose curve is the nearest, about a first guess: golden section.
+double nearest_density(const Curve& curve, const Form& form, double guess) {
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  const auto off = [&](double log_cells) { return residual_of(curve, form, std::exp(log_cells)); };
+  double low = std::log(guess / 2.5), high = std::log(guess * 2.5);
+  for (int step = 0; step < 30; ++step) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    if (off(a) < off(b))
+      high = b;
+    else
+      low = a;
+  }
+  return std::exp((low + high) / 2);
+}
+
+// ---- Models
+
+struct CellModel {
+  Model model;
+  statistics::CellModel form;
+  double border;  // length of borders an area where there is one cell an area
+};
+
+// 3.2 and 3.3; the length of borders from the closed forms, for Johnson-Mehl from a simulation of a million cells.
+const CellModel kModels[] = {{Model::kPoissonLines, statistics::CellModel::kPoissonLines, std::sqrt(kPi)},
+                             {Model::kOccupancy, statistics::CellModel::kOccupancy, 2},
+                             {Model::kDelaunay, statistics::CellModel::kDelaunay, 2.40084},
+                             {Model::kJohnsonMehl, statistics::CellModel::kJohnsonMehl, 1.86717},
+                             {Model::kCheckerboard, statistics::CellModel::kCheckerboard, 2},
+                             {Model::kHexagon, statistics::CellModel::kHexagon, 1.86121},
+                             {Model::kTriangle, statistics::CellModel::kTriangle, 2.27951}};
+
+// The model's number for so many cells an area.
+double number_of(const CellModel& model, double cells) {
+  switch (model.model) {
+    case Model::kPoissonLines: return std::sqrt(cells / kPi);
+    case Model::kOccupancy: return cells;
+    case Model::kDelaunay: return cells / 2;
+    case Model::kJohnsonMehl: return std::pow(cells / 0.8794, 1.5);
+    default: return 1 / std::sqrt(cells * statistics::typical_cell(model.form, 1).area);
+  }
+}
+
+patterns::Params params_of(const CellModel& model, double cells, double width, double height) {
+  patterns::Params params;
+  params.model = model.model;
+  params.width = width;
+  params.height = height;
+  const double number = number_of(model, cells);
+  const bool is_lattice = statistics::typical_cell(model.form, 1).area_variance == 0;
+  (is_lattice ? params.size : params.intensity) = number;
+  return params;
+}
+
+std::vector<Ring> cells_of(const patterns::Params& params, std::uint64_t seed) {
+  std::vector<Ring> rings;
+  auto output = patterns::run({}, params, seed, {});
+  if (!output) return rings;
+  for (Piece& piece : output->sheet.pieces) rings.push_back(std::move(piece.outline.outer));
+  return rings;
+}
+
+// A picture of the model's, coloured with the same shares.
+Labels own_picture(const CellModel& model, double cells, const Labels& like, std::uint64_t seed) {
+  const patterns::Params params = params_of(model, cells, like.map.cols, like.map.rows);
+  const std::vector<Ring> rings = cells_of(params, seed);
+  const cv::Mat1i drawn = statistics::draw_cells(rings, {{0, 0}, {params.width, params.height}}, 1);
+  Rng rng(seed, RngPurpose::kColours);
+  std::vector<std::uint8_t> class_of(rings.size());
+  for (std::uint8_t& label : class_of) {
+    double rest = rng.uniform();
+    label = 0;
+    while (label + 1u < like.shares.size() && (rest -= like.shares[label]) >= 0) ++label;
+  }
+  Labels own{cv::Mat1b(like.map.size(), std::uint8_t{0}), 1, like.shares, like.by_chance};
+  for (int y = 0; y < drawn.rows; ++y)
+    for (int x = 0; x < drawn.cols; ++x)
+      if (drawn(y, x) >= 0) own.map(y, x) = class_of[drawn(y, x)];
+  return own;
+}
+
+Form form_of(const CellModel& model) {
+  if (statistics::same_cell_chance(model.form, 1, 0) >= 0) {
+    const double number = number_of(model, 1);
+    return Form([&](double u) { return statistics::same_cell_chance(model.form, number, u); });
+  }
+  // Of a simulation: 14,400 cells, 12 px each along a side.
+  constexpr double kSide = 12, kAcross = 120;
+  const patterns::Params params = params_of(model, 1 / (kSide * kSide), kSide * kAcross, kSide * kAcross);
+  const cv::Mat1i drawn = statistics::draw_cells(cells_of(params, 1), {{0, 0}, {params.width, params.height}}, 1);
+  return Form([&](double u) {
+    Rng rng(1, RngPurpose::kSites);
+    return u > 0 ? statistics::same_cell(drawn, {u * kSide}, 20000, rng)[0] : 1;
+  });
+}
+
+// ---- Marks
+
+// Marks of the borders, then W(d) at the same lengths: figures by which models differ.
+std::vector<double> marks_of(const Labels& labels, double spacing, Rng& rng) {
+  const cv::Rect part(0, 0, std::min(labels.map.cols, kLargestSide), std::min(labels.map.rows, kLargestSide));
+  std::vector<double> marks = statistics::border_marks(labels.map(part).clone(), spacing);
+  for (const double w : measured_curve(labels, spacing, rng).values) marks.push_back(w);
+  return marks;
+}
+
+struct Moments {
+  std::vector<double> mean, variance;
+};
+Moments moments_of(const std::vector<std::vector<double>>& samples) {
+  const std::size_t n = samples[0].size();
+  Moments m{std::vector<double>(n, 0), std::vector<double>(n, 0)};
+  for (const auto& sample : samples)
+    for (std::size_t k = 0; k < n; ++k) m.mean[k] += sample[k] / static_cast<double>(samples.size());
+  for (const auto& sample : samples)
+    for (std::size_t k = 0; k < n; ++k)
+      m.variance[k] += (sample[k] - m.mean[k]) * (sample[k] - m.mean[k]) / static_cast<double>(samples.size() - 1);
+  return m;
+}
+
+// Classes change only at whole multiples of one step, in both directions, and as often as by chance: noise.
+int noise_step(const Classes& classes) {
+  const cv::Mat1b& labels = classes.labels;
+  int step = 0;
+  for (int x = 1; x < labels.cols; ++x)
+    if (cv::countNonZero(labels.col(x) != labels.col(x - 1)) > 0) step = std::gcd(step, x);
+  for (int y = 1; y < labels.rows; ++y)
+    if (cv::countNonZero(labels.row(y) != labels.row(y - 1)) > 0) step = std::gcd(step, y);
+  if (step == 0) return 0;
+  const double changes = statistics::boundary_crossings(classes) * step;
+  const double by_chance = 1 - sum_of_squares(statistics::shares_of(classes));
+  return changes > 0.9 * by_chance ? step : 0;
+}
+
+void take_colours(const Classes& classes, patterns::Params& params) {
+  params.colors.clear();
+  params.probabilities.clear();
+  for (std::size_t k = 0; k < classes.colours.size(); ++k) {
+    const char* const space = k > 0 ? " " : "";
+    params.colors += fmt::format("{}{}", space, colour_text(classes.colours[k]));
+    params.probabilities += fmt::format("{}{:.4f}", space, std::max(statistics::shares_of(classes)[k], 1e-4));
+  }
+}
+
+Fit noise(const Classes& classes, int step) {
+  Fit fit;
+  fit.candidates.push_back({Model::kGaussian, static_cast<double>(step), 0, 0});
+  fit.params.model = Model::kGaussian;
+  fit.params.covariance = std::string("0");
+  fit.params.width = std::max(1, classes.labels.cols / step);
+  fit.params.height = std::max(1, classes.labels.rows / step);
+  take_colours(classes, fit.params);
+  return fit;
+}
+
+}  // namespace
+
+Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunContext& context) {
+  constexpr int kSmallest = 32;
+  if (!picture.pixels || std::min(picture.width, picture.height) < kSmallest)
+    return fail(StatusCode::kInvalidInput, "",
+                fmt::format("is smaller than {0} x {0} pixels, expected more", kSmallest));
+  context.stage("classes");
+  const Classes classes = statistics::find_classes(picture, 0);
+  if (classes.colours.size() < 2 || statistics::boundary_crossings(classes) == 0)
+    return fail(StatusCode::kInvalidInput, "", "has one colour only, expected cells of several");
+  if (const int step = noise_step(classes)) return noise(classes, step);
+
+  context.stage("marks");
+  const Labels labels = reduced(classes);
+  Rng rng(seed, RngPurpose::kSites);
+  // A straight line of length d crosses 2 / pi of the borders' length an area; borders between cells of one class
+  // are not seen.
+  constexpr double kShort = 2;
+  const double agree = statistics::same_cell(cv::Mat1i(labels.map), {kShort}, kNeedles, rng)[0];
+  const double seen = std::max((1 - agree) / kShort, 1e-6), spacing = 1 / seen;
+  const double border = seen / (1 - labels.by_chance) * kPi / 2;
+  const Curve curve = measured_curve(labels, spacing, rng);
+  const std::vector<double> marks = marks_of(labels, spacing, rng);
+
+  context.stage("models");
+  std::vector<Moments> moments;
+  Fit fit;
+  std::vector<double> densities;
+  for (const CellModel& model : kModels) {
+    const Form form = form_of(model);
+    const double guess = (border / model.border) * (border / model.border);
+    const double cells = nearest_density(curve, form, guess);
+    fit.candidates.push_back({model.model, 0, 0, residual_of(curve, form, cells)});
+    densities.push_back(cells);
+    std::vector<std::vector<double>> own;
+    for (int k = 0; k < kOwnPictures; ++k) {
+      if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
+      own.push_back(marks_of(own_picture(model, cells, labels, seed + static_cast<std::uint64_t>(k)), spacing, rng));
+    }
+    moments.push_back(moments_of(own));
+    context.progress(static_cast<double>(moments.size()) / std::size(kModels));
+  }
+  // Deviations of all models together: five pictures of one are few to tell its own.
+  std::vector<double> pooled(marks.size(), 1e-5);
+  for (const Moments& m : moments)
+    for (std::size_t k = 0; k < pooled.size(); ++k) pooled[k] += m.variance[k] / static_cast<double>(moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+      const double off = marks[k] - moments[i].mean[k];
+      sum += off * off / pooled[k] / static_cast<double>(marks.size());
+    }
+    fit.candidates[i].distance = std::sqrt(sum);
+    fit.candidates[i].number = number_of(kModels[i], densities[i] / (labels.factor * labels.factor));
+  }
+  const auto best = std::min_element(fit.candidates.begin(), fit.candidates.end(),
+                                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  const auto index = static_cast<std::size_t>(best - fit.candidates.begin());
+  fit.params =
+      params_of(kModels[index], densities[index] / (labels.factor * labels.factor), picture.width, picture.height);
+  take_colours(classes, fit.params);
+  std::stable_sort(fit.candidates.begin(), fit.candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  return fit;
+}
+
+}  // namespace tessera
