@@ -53,7 +53,7 @@ Result<Output> run(const Pictures& pictures, const Params& requested, std::uint6
   params.tiles = possible_tiles(photo, requested.tiles);
 
   context.stage("fields");
-  Fields fields = make_fields(pictures, params, std::sqrt(pixels_of(photo) / params.tiles));  // 5.2
+  Fields fields = make_fields(pictures, params, std::sqrt(pixels_of(photo) / params.tiles), &rasterizer);  // 5.2
   context.progress(0.08);
 
   context.stage("sites");
