@@ -14,8 +14,8 @@ namespace tessera {
 // Cones are drawn to a reach of 8 px, then to 16 and so on: only a pixel that is still the nearest one at the rim of
 // a reach can be so beyond it, since cells of points are convex. Cells that are thinner than a pixel at a rim are
 // lost there, hence the tolerance: never nearer than edge_distance(), farther by at most 0.1 px and by what the
-// rasterizer may be wrong (gl: 0.5 %), and for less than one pixel in a thousand by more than 0.01 px. Gradients
-// differ by less than 0.05 degrees on average, crests aside.
+// rasterizer may be wrong (gl: 0.5 %), on average by less than 0.02 px. Gradients over two pixels differ by less than
+// 0.05 degrees on average, crests aside.
 Result<DistanceField> ridge_distance(const cv::Mat1b& edges, Rasterizer& rasterizer);
 
 }  // namespace tessera
