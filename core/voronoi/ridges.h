@@ -15,7 +15,7 @@ namespace tessera {
 // a reach can be so beyond it, since cells of points are convex. Cells that are thinner than a pixel at a rim are
 // lost there, hence the tolerance: never nearer than edge_distance(), farther by at most 0.1 px and by what the
 // rasterizer may be wrong (gl: 0.5 %), on average by less than 0.02 px. Gradients over two pixels differ by less than
-// 0.05 degrees on average, crests aside.
+// half a degree on average, crests aside.
 Result<DistanceField> ridge_distance(const cv::Mat1b& edges, Rasterizer& rasterizer);
 
 }  // namespace tessera

@@ -36,8 +36,8 @@ const std::vector<Laid>& all_results() {
     std::vector<Laid> list;
     for (const Photo& photo : photos) {
       int variant = 0;
-      for (const Shape shape :
-           {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell, Shape::kMoment}) {
+      for (const Shape shape : {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell,
+                                Shape::kMoment, Shape::kTrapezoid}) {
         for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
           Params params;
           params.shape = shape;
@@ -169,6 +169,20 @@ TEST(MosaicProperty, MomentTilesCoverMoreThanSquares) {
     EXPECT_GT(share(Shape::kMoment, aspect), 0.9);
     EXPECT_GT(share(Shape::kMoment, aspect), share(Shape::kRectangle, aspect) + 0.01);
   }
+}
+
+TEST(MosaicProperty, TrapezoidsCoverMoreThanSquaresRoundACurve) {
+  const Photo photo{"disc", disc_photo(240)};
+  const auto share = [&](Shape shape) {
+    Params params;
+    params.shape = shape;
+    params.tiles = 120;
+    params.variation = 1;
+    params.grout = 0;
+    params.delta = 1;
+    return overlap_and_coverage({&photo, params, lay(photo.picture, params), photo.name}).second;
+  };
+  EXPECT_GT(share(Shape::kTrapezoid), share(Shape::kSquare) + 0.002);
 }
 
 TEST(MosaicProperty, ChipsFillWhatTilesLeaveOfTheirCells) {
