@@ -192,12 +192,22 @@ cv::Mat1f means_at(const cv::Mat_<T>& pixels_of, cv::Size nodes, double step) {
   return sum;
 }
 
-// Distances from the mean colour.
-cv::Mat1f salience(const cv::Mat3b& photo) {
+// Distances from the mean colour, which count less towards the corners: people look at the middle first (T. Judd,
+// K. Ehinger, F. Durand, A. Torralba, "Learning to Predict Where Humans Look", ICCV 2009), and a photo's corners are
+// often darker than the rest. A torus has no middle.
+cv::Mat1f salience(const cv::Mat3b& photo, bool has_middle) {
+  constexpr float kInCorners = 0.3f;
   const cv::Mat1i squares = saliency_of(photo);
   cv::Mat1f distances(squares.size());
-  std::transform(squares.begin(), squares.end(), distances.begin(),
-                 [](int square) { return std::sqrt(static_cast<float>(square)); });
+  const auto off_middle = [](int at, int length) {  // squared, 1 at the sides
+    const float way = (2 * static_cast<float>(at) + 1) / static_cast<float>(length) - 1;
+    return way * way;
+  };
+  for (int y = 0; y < squares.rows; ++y)
+    for (int x = 0; x < squares.cols; ++x) {
+      const float far = has_middle ? 0.5f * (off_middle(x, squares.cols) + off_middle(y, squares.rows)) : 0;
+      distances(y, x) = (1 - (1 - kInCorners) * far) * std::sqrt(static_cast<float>(squares(y, x)));
+    }
   return distances;
 }
 
@@ -205,7 +215,7 @@ cv::Mat1f salience(const cv::Mat3b& photo) {
 cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, const Torus& torus, cv::Size nodes,
                           double step) {
   cv::Mat1f detail = params.sizes_by == SizesBy::kSaliency
-                         ? means_at(torus.repeated(salience(photo.mat())), nodes, step)
+                         ? means_at(torus.repeated(salience(photo.mat(), !torus.wraps())), nodes, step)
                          : means_at(torus.repeated(steepness(photo.mat())), nodes, step);
   smooth(detail, 4);
   double mean = 0;

@@ -304,6 +304,30 @@ TEST(MosaicProperty, SeamlessTilesMeetTheirOwnCopies) {
       }
 }
 
+// Black at the left and the top, white at the right and the bottom.
+TEST(MosaicProperty, SeamlessMosaicsHaveTheSameColoursAtOppositeSides) {
+  const cv::Mat3b slope = paint(200, 160, [](double x, double y) {
+    const auto v = static_cast<unsigned char>(255 * (x / 200 + y / 160) / 2);
+    return cv::Vec3b(v, v, v);
+  });
+  Params params;
+  params.tiles = 400;
+  params.variation = 1;
+  const auto difference = [&](bool seamless) {
+    params.seamless = seamless;
+    double left = 0, right = 0;
+    int at_left = 0, at_right = 0;
+    for (const Piece& tile : lay(slope, params).sheet.pieces) {
+      const Point centre = centroid(tile.outline.outer);
+      if (centre.x < 6) left += tile.fill.r, ++at_left;
+      if (centre.x > 194) right += tile.fill.r, ++at_right;
+    }
+    return right / at_right - left / at_left;
+  };
+  EXPECT_GT(difference(false), 100);
+  EXPECT_LT(difference(true), 40);
+}
+
 TEST(MosaicProperty, SeamlessSquaresAreMovedApartAcrossTheSeam) {
   Params params;
   params.seamless = true;
