@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "tessera/base/portable_math.h"
 #include "tessera/image/edges.h"
 #include "tessera/image/saliency.h"
 #include "tessera/mosaic/regions.h"
+#include "tessera/voronoi/ridges.h"
 
 namespace tessera::mosaic {
 namespace {
@@ -55,10 +57,18 @@ cv::Mat1b drawn_edges(const ImageView& picture, cv::Size size) {
   return edges;
 }
 
+DistanceField mountains(const cv::Mat1b& edges, Rasterizer* rasterizer) {
+  if (rasterizer && rasterizer->name() == "gl") {
+    if (auto heights = ridge_distance(edges, *rasterizer)) return *std::move(heights);
+  }
+  return edge_distance(edges);
+}
+
 // Edges that rows follow, and with finer lines: the field stays calm, while tiles end where colours change.
 //
 // On a torus the photo's own edges are those within it: where its sides differ, no row runs along them.
-void find_edges_and_lines(const Pictures& pictures, const Params& params, double side, Fields& fields) {
+void find_edges_and_lines(const Pictures& pictures, const Params& params, double side, Rasterizer* rasterizer,
+                          Fields& fields) {
   const bool drawn = pictures.edges.pixels, found = !drawn && params.edge_share > 0;
   const auto photo_edges = [&](double detail, double share, double shortest) {
     return find_edges(pictures.photo.mat(), {.sigma = std::clamp(detail * params.edge_detail * side, 0.6, 8.0),
@@ -69,7 +79,7 @@ void find_edges_and_lines(const Pictures& pictures, const Params& params, double
   if (drawn) edges = drawn_edges(pictures.edges, fields.torus.period);
   if (found) edges = photo_edges(1, 1, std::max(6.0, 2.5 * side));
   fields.edges = fields.torus.repeated(edges);
-  fields.distance = edge_distance(fields.edges);
+  fields.distance = mountains(fields.edges, rasterizer);
   fields.to_line = fields.distance;
   if (found)
     fields.to_line = edge_distance(fields.torus.repeated<unsigned char>(
@@ -182,12 +192,22 @@ cv::Mat1f means_at(const cv::Mat_<T>& pixels_of, cv::Size nodes, double step) {
   return sum;
 }
 
-// Distances from the mean colour.
-cv::Mat1f salience(const cv::Mat3b& photo) {
+// Distances from the mean colour, which count less towards the corners: people look at the middle first (T. Judd,
+// K. Ehinger, F. Durand, A. Torralba, "Learning to Predict Where Humans Look", ICCV 2009), and a photo's corners are
+// often darker than the rest. A torus has no middle.
+cv::Mat1f salience(const cv::Mat3b& photo, bool has_middle) {
+  constexpr float kInCorners = 0.3f;
   const cv::Mat1i squares = saliency_of(photo);
   cv::Mat1f distances(squares.size());
-  std::transform(squares.begin(), squares.end(), distances.begin(),
-                 [](int square) { return std::sqrt(static_cast<float>(square)); });
+  const auto off_middle = [](int at, int length) {  // squared, 1 at the sides
+    const float way = (2 * static_cast<float>(at) + 1) / static_cast<float>(length) - 1;
+    return way * way;
+  };
+  for (int y = 0; y < squares.rows; ++y)
+    for (int x = 0; x < squares.cols; ++x) {
+      const float far = has_middle ? 0.5f * (off_middle(x, squares.cols) + off_middle(y, squares.rows)) : 0;
+      distances(y, x) = (1 - (1 - kInCorners) * far) * std::sqrt(static_cast<float>(squares(y, x)));
+    }
   return distances;
 }
 
@@ -195,7 +215,7 @@ cv::Mat1f salience(const cv::Mat3b& photo) {
 cv::Mat1f automatic_sizes(const ImageView& photo, const Params& params, const Torus& torus, cv::Size nodes,
                           double step) {
   cv::Mat1f detail = params.sizes_by == SizesBy::kSaliency
-                         ? means_at(torus.repeated(salience(photo.mat())), nodes, step)
+                         ? means_at(torus.repeated(salience(photo.mat(), !torus.wraps())), nodes, step)
                          : means_at(torus.repeated(steepness(photo.mat())), nodes, step);
   smooth(detail, 4);
   double mean = 0;
@@ -276,11 +296,11 @@ Torus torus_of(const Pictures& pictures, const Params& params, double side) {
 
 }  // namespace
 
-Fields make_fields(const Pictures& pictures, const Params& params, double side) {
+Fields make_fields(const Pictures& pictures, const Params& params, double side, Rasterizer* rasterizer) {
   Fields fields;
   fields.torus = torus_of(pictures, params, side);
   fields.size = fields.torus.canvas();
-  find_edges_and_lines(pictures, params, side, fields);
+  find_edges_and_lines(pictures, params, side, rasterizer, fields);
   fields.step = std::max(1.0, side / kNodesPerSide);
   const cv::Size nodes = DirectionField(fields.size, fields.step).nodes().size();
   fields.sides = sizes_of(pictures, params, fields.torus, nodes, fields.step);

@@ -9,6 +9,7 @@
 #include "tessera/image/image_view.h"
 #include "tessera/mosaic/params.h"
 #include "tessera/mosaic/torus.h"
+#include "tessera/voronoi/rasterizer.h"
 
 namespace tessera::mosaic {
 
@@ -40,7 +41,10 @@ struct Fields {
 
 // `side`: what a tile measures on average, px. All problems of the other pictures end in sensible fields: an edge
 // picture without lines means no edges. For seamless mosaics all pictures are repeated in a margin.
-Fields make_fields(const Pictures& pictures, const Params& params, double side);
+//
+// The distance to the edges is the height of mountains, read off the depth buffer of `rasterizer` where it draws into
+// one (4), and else by its exact twin, the distance transform.
+Fields make_fields(const Pictures& pictures, const Params& params, double side, Rasterizer* rasterizer = nullptr);
 
 // The sides scaled for all tiles by a factor.
 void scale_sides(Fields& fields, double factor);

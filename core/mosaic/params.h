@@ -11,7 +11,7 @@
 namespace tessera::mosaic {
 
 enum class Style { kVermiculatum, kHausner };
-enum class Shape { kQuad, kSquare, kRectangle, kMoment, kEllipse, kCell };
+enum class Shape { kQuad, kSquare, kRectangle, kTrapezoid, kMoment, kEllipse, kCell };
 enum class SizesBy { kDetail, kSaliency };
 enum class Sample { kMean, kPoint };
 
@@ -74,6 +74,7 @@ void visit(Visitor& v, Params& p) {
            {{Shape::kQuad, "quad", "hand-cut, four corners, fitted to its neighbours"},
             {Shape::kSquare, "square", "squares of delta times the space there is"},
             {Shape::kRectangle, "rectangle", "the same, as long and narrow as aspect says"},
+            {Shape::kTrapezoid, "trapezoid", "rectangles that widen as far as rows fan out round a curve"},
             {Shape::kMoment, "moment", "rectangles with the second moments of their cells, times delta"},
             {Shape::kEllipse, "ellipse", "brush strokes, overlapping where delta is above 1"},
             {Shape::kCell, "cell", "the Voronoi cells themselves"}});
@@ -105,14 +106,16 @@ void visit(Visitor& v, Params& p) {
                      .max = 3,
                      .ui_min = 0.5,
                      .ui_max = 1.5,
-                     .help = "Side of a square, rectangle or ellipse against the space it has",
+                     .help = "Side of a square, rectangle, trapezoid or ellipse against the space it has",
                      .symbol = "delta",
                      .advanced = true});
-  v.flag(p.clip,
-         {.key = "clip", .help = "Squares and rectangles are cut where they would overlap", .advanced = true});
-  v.flag(p.chips, {.key = "chips",
-                   .help = "Splinters fill what squares, rectangles and moment tiles leave of their cells",
-                   .advanced = true});
+  v.flag(p.clip, {.key = "clip",
+                  .help = "Squares, rectangles and trapezoids are cut where they would overlap",
+                  .advanced = true});
+  v.flag(p.chips,
+         {.key = "chips",
+          .help = "Splinters fill what squares, rectangles, trapezoids and moment tiles leave of their cells",
+          .advanced = true});
   v.number(p.tolerance, {.key = "tolerance",
                          .min = 0,
                          .max = 10,

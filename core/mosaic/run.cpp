@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "tessera/mosaic/colours.h"
@@ -13,7 +14,8 @@
 namespace tessera::mosaic {
 namespace {
 
-constexpr double kLeastArea = 0.05;     // px^2: what is left of a tile that is none
+constexpr double kLeastArea = 0.05;  // px^2: what is left of a tile that is none
+constexpr double kMeetingSides = 2;  // of a tile: how far colours of a seamless mosaic's sides reach into each other
 constexpr double kPixelsPerTile = 6.5;  // no tile is smaller on average
 
 double pixels_of(const ImageView& photo) { return static_cast<double>(photo.width) * photo.height; }
@@ -32,6 +34,28 @@ void lay_tiles(std::vector<Ring> rings, const ImageView& photo, const Params& pa
     output.areas.push_back(std::fabs(signed_area(rings[i])));
     output.sheet.pieces.push_back({static_cast<int>(i) + 1, {std::move(rings[i]), {}}, colours[i]});
   }
+}
+
+// The photo along its left and right sides blended, within `reach` px, into what the opposite one mirrors: half and
+// half at the side itself, so that both are alike there.
+cv::Mat3b sides_met(const cv::Mat3b& photo, double reach) {
+  cv::Mat3b met(photo.size());
+  for (int x = 0; x < photo.cols; ++x) {
+    const double away = std::min(x, photo.cols - 1 - x) + 0.5, own = std::min(1.0, 0.5 + 0.5 * away / reach);
+    for (int y = 0; y < photo.rows; ++y)
+      for (int c = 0; c < 3; ++c)
+        met(y, x)[c] = static_cast<std::uint8_t>(
+            std::lround(own * photo(y, x)[c] + (1 - own) * photo(y, photo.cols - 1 - x)[c]));
+  }
+  return met;
+}
+
+// The colours of the canvas: a torus' sides meet in the same ones.
+cv::Mat3b colours_of(const cv::Mat3b& photo, const Torus& torus, double side) {
+  if (!torus.wraps()) return photo;
+  const double reach = kMeetingSides * side;
+  const cv::Mat3b turned = sides_met(photo, reach).t();
+  return torus.repeated<cv::Vec3b>(sides_met(turned, reach).t());
 }
 
 // From the canvas to the window of a seamless mosaic.
@@ -53,7 +77,8 @@ Result<Output> run(const Pictures& pictures, const Params& requested, std::uint6
   params.tiles = possible_tiles(photo, requested.tiles);
 
   context.stage("fields");
-  Fields fields = make_fields(pictures, params, std::sqrt(pixels_of(photo) / params.tiles));  // 5.2
+  const double side = std::sqrt(pixels_of(photo) / params.tiles);  // 5.2
+  Fields fields = make_fields(pictures, params, side, &rasterizer);
   context.progress(0.08);
 
   context.stage("sites");
@@ -79,7 +104,7 @@ Result<Output> run(const Pictures& pictures, const Params& requested, std::uint6
   output.sheet.height = photo.height;
   output.sheet.width_mm = params.width_mm;
   output.sheet.grout = {150, 146, 138};
-  const cv::Mat3b canvas = fields.torus.repeated(cv::Mat3b(photo.mat()));
+  const cv::Mat3b canvas = colours_of(photo.mat(), fields.torus, side);
   lay_tiles(std::move(rings), {canvas.data, canvas.cols, canvas.rows, static_cast<std::ptrdiff_t>(canvas.step)},
             params, output);
   measure_tiles(fields, output);

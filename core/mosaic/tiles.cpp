@@ -17,7 +17,8 @@ namespace {
 constexpr double kWideAngle = 172;    // degrees: wider corners of a quadrilateral tile are left out
 constexpr double kGroutShare = 0.12;  // of a tile's side: what grout takes of it at most, on each side
 constexpr int kEllipseVertices = 24;
-constexpr double kLong = 1.5;  // ratio of a cell's second moments above which its own axes are plain
+constexpr double kMostTaper = 0.6;  // of a trapezoid: how much its longer side may exceed the mean of both
+constexpr double kLong = 1.5;       // ratio of a cell's second moments above which its own axes are plain
 // What is no chip: less of a cell's area than this, or narrower, against the cell's side and in px.
 constexpr double kChipArea = 0.02, kChipWidth = 0.06, kLeastChipWidth = 0.5;
 constexpr double kWrittenParts = 1000;  // of a pixel: what files say; tiles are outlines still when rounded to it
@@ -54,7 +55,9 @@ Moments second_moments(const Ring& ring) {
   return m;
 }
 
-// Centre and half sides of a tile, that takes `delta` of its site's space or is given.
+// Centre and half sides of a tile, that takes `delta` of its site's space or is given. A taper is how much longer the
+// one of two opposite sides is than their mean, and the other shorter: of the sides along u, from -v to v, and along
+// v.
 struct Frame {
   Frame(Point at, Point half_u, Point half_v) : centre(at), u(half_u), v(half_v) {}
   Frame(const Site& site, double delta) : centre{site.x, site.y} {
@@ -64,6 +67,7 @@ struct Frame {
   }
 
   Point centre, u, v;
+  double taper_u = 0, taper_v = 0;
 };
 
 // The rectangle whose second moments are `delta` squared times those of the cell: along the cell's principal axes
@@ -84,8 +88,36 @@ Frame moment_frame(const Ring& cell, Point axis, double delta) {
   return {m.centre, half_side(axis) * axis, half_side(across) * across};
 }
 
-Ring rectangle(const Frame& f) {
-  return {f.centre - f.u - f.v, f.centre + f.u - f.v, f.centre + f.u + f.v, f.centre - f.u + f.v};
+// 8.1: rows fan out by the divergence of their direction, which for a field of unit vectors at the angle a is how a
+// changes along the rows. The field counts modulo a right angle, so that rows may run along u or v: along the one on
+// whose way more changes. The centre of gravity stays the site.
+Frame trapezoid_frame(const Site& site, const DirectionField& direction, double delta) {
+  Frame frame(site, delta);
+  const SinCos turn = sin_cos(site.angle);
+  const auto turned = [&](Point from, Point to) {
+    const double quarters = (direction.angle(to.x, to.y) - direction.angle(from.x, from.y)) / (kPi / 2);
+    return kPi / 2 * (quarters - std::round(quarters));
+  };
+  const auto turned_along = [&](Point half) {
+    const Point before = frame.centre - half, after = frame.centre + half;
+    return (turned(before, frame.centre) + turned(frame.centre, after)) / (2 * length(half));
+  };
+  const double v = length(frame.u) * turned_along(site.extent_v * Point{-turn.sin, turn.cos}),
+               u = -length(frame.v) * turned_along(site.extent_u * Point{turn.cos, turn.sin});
+  if (std::fabs(v) >= std::fabs(u)) {
+    frame.taper_v = std::clamp(v, -kMostTaper, kMostTaper);
+  } else {
+    frame.taper_u = std::clamp(u, -kMostTaper, kMostTaper);
+  }
+  frame.centre = frame.centre - frame.taper_v / 3 * frame.u - frame.taper_u / 3 * frame.v;
+  return frame;
+}
+
+Ring corners(const Frame& f) {
+  const auto corner = [&](double u, double v) {
+    return f.centre + u * (1 + v * f.taper_u) * f.u + v * (1 + u * f.taper_v) * f.v;
+  };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
 }
 
 Ring ellipse(const Frame& f) {
@@ -116,10 +148,9 @@ std::vector<Ring> fitted_cells(const std::vector<Ring>& cells, const Params& par
 }
 
 // What is left of a cell beyond each side of its tile, `grout` away from it; inside the sides before.
-std::vector<Ring> chips_of(const Ring& cell, const Frame& frame, double grout) {
+std::vector<Ring> chips_of(const Ring& cell, const Ring& tile, double grout) {
   std::vector<Ring> chips;
-  const double size = std::fabs(signed_area(cell)), far = 4 * std::sqrt(size) + 4 * length(frame.u + frame.v);
-  const Ring tile = rectangle(frame);
+  const double size = std::fabs(signed_area(cell)), far = 4 * std::sqrt(size) + 2 * perimeter(tile);
   Ring rest = cell;
   for (std::size_t k = 0; k < 4 && rest.size() >= 3; ++k) {
     const Point way = tile[(k + 1) % 4] - tile[k];
@@ -135,34 +166,38 @@ std::vector<Ring> chips_of(const Ring& cell, const Frame& frame, double grout) {
   return chips;
 }
 
-void add_chips(const std::vector<Ring>& cells, const std::vector<Frame>& frames, double grout,
+void add_chips(const std::vector<Ring>& cells, const std::vector<Ring>& whole, double grout,
                std::vector<Ring>& tiles) {
   std::vector<Ring> chips;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  for (std::size_t i = 0; i < whole.size(); ++i) {
     const double between = std::min(grout, 2 * kGroutShare * std::sqrt(std::fabs(signed_area(cells[i]))));
-    for (Ring& chip : chips_of(cells[i], frames[i], between)) chips.push_back(std::move(chip));
+    for (Ring& chip : chips_of(cells[i], whole[i], between)) chips.push_back(std::move(chip));
   }
   for (Ring& chip : each_tile(chips.size(), [&](int i) { return chips[i]; })) tiles.push_back(std::move(chip));
 }
 
+Frame frame_of(const Site& site, const Fields& fields, const Params& params) {
+  if (params.shape == Shape::kTrapezoid) return trapezoid_frame(site, fields.direction, params.delta);
+  return {site, params.delta};
+}
+
 std::vector<Ring> whole_rectangles(Sites sites, const Fields& fields, const Params& params) {
   push_apart(sites, params.delta, fields.torus);
-  return each_tile(sites.size(), [&](int i) { return rectangle({sites[i], params.delta}); });
+  return each_tile(sites.size(), [&](int i) { return corners(frame_of(sites[i], fields, params)); });
 }
 
 // Cut where they would leave their cells.
 std::vector<Ring> rectangles(const Diagram& diagram, const Fields& fields, const Params& params) {
   std::vector<Ring> cells = quadrilaterals(diagram, fields);
-  std::vector<Frame> frames;
+  std::vector<Ring> whole;
   for (int i = 0; i < diagram.own; ++i) {
-    const Frame space(diagram.sites[i], params.delta);
+    const Frame space = frame_of(diagram.sites[i], fields, params);
     const bool fitted = params.shape == Shape::kMoment && cells[i].size() >= 3;
-    frames.push_back(fitted ? moment_frame(cells[i], (1 / length(space.u)) * space.u, params.delta) : space);
+    whole.push_back(corners(fitted ? moment_frame(cells[i], (1 / length(space.u)) * space.u, params.delta) : space));
     cells[i] = without_grout(cells[i], params.grout);
   }
-  std::vector<Ring> tiles =
-      each_tile(frames.size(), [&](int i) { return clip_convex(rectangle(frames[i]), cells[i]); });
-  if (params.chips) add_chips(cells, frames, params.grout, tiles);
+  std::vector<Ring> tiles = each_tile(whole.size(), [&](int i) { return clip_convex(whole[i], cells[i]); });
+  if (params.chips) add_chips(cells, whole, params.grout, tiles);
   return tiles;
 }
 
@@ -176,6 +211,7 @@ std::vector<Ring> shape_tiles(const Diagram& diagram, const Fields& fields, cons
       return each_tile(diagram.own, [&](int i) { return ellipse({diagram.sites[i], params.delta}); });
     case Shape::kSquare:
     case Shape::kRectangle:
+    case Shape::kTrapezoid:
       if (!params.clip)
         return whole_rectangles({diagram.sites.begin(), diagram.sites.begin() + diagram.own}, fields, params);
       break;

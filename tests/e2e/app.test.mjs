@@ -35,6 +35,8 @@ for (const isolated of [true, false]) {
         assert.ok((await app.download('PNG')).text.length > 1000);
         await inFolder((folder) => assertSameStones(svg.text, nativeSvg(folder, job.text, { drawing: readFileSync(picture) })));
       }
+      await app.button('More downloads').click();
+      assert.ok((await app.demand('animation')).bytes.includes('acTL'));
     });
   });
 

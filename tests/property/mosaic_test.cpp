@@ -36,8 +36,8 @@ const std::vector<Laid>& all_results() {
     std::vector<Laid> list;
     for (const Photo& photo : photos) {
       int variant = 0;
-      for (const Shape shape :
-           {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell, Shape::kMoment}) {
+      for (const Shape shape : {Shape::kQuad, Shape::kSquare, Shape::kRectangle, Shape::kEllipse, Shape::kCell,
+                                Shape::kMoment, Shape::kTrapezoid}) {
         for (const Style style : {Style::kVermiculatum, Style::kHausner}) {
           Params params;
           params.shape = shape;
@@ -171,6 +171,20 @@ TEST(MosaicProperty, MomentTilesCoverMoreThanSquares) {
   }
 }
 
+TEST(MosaicProperty, TrapezoidsCoverMoreThanSquaresRoundACurve) {
+  const Photo photo{"disc", disc_photo(240)};
+  const auto share = [&](Shape shape) {
+    Params params;
+    params.shape = shape;
+    params.tiles = 120;
+    params.variation = 1;
+    params.grout = 0;
+    params.delta = 1;
+    return overlap_and_coverage({&photo, params, lay(photo.picture, params), photo.name}).second;
+  };
+  EXPECT_GT(share(Shape::kTrapezoid), share(Shape::kSquare) + 0.002);
+}
+
 TEST(MosaicProperty, ChipsFillWhatTilesLeaveOfTheirCells) {
   for (const Photo& photo : {Photo{"disc", disc_photo()}, Photo{"plain", plain_photo()}})
     for (const bool seamless : {false, true}) {
@@ -288,6 +302,30 @@ TEST(MosaicProperty, SeamlessTilesMeetTheirOwnCopies) {
         }
         EXPECT_NEAR(static_cast<double>(output.sheet.pieces.size()), 150, 30) << name;
       }
+}
+
+// Black at the left and the top, white at the right and the bottom.
+TEST(MosaicProperty, SeamlessMosaicsHaveTheSameColoursAtOppositeSides) {
+  const cv::Mat3b slope = paint(200, 160, [](double x, double y) {
+    const auto v = static_cast<unsigned char>(255 * (x / 200 + y / 160) / 2);
+    return cv::Vec3b(v, v, v);
+  });
+  Params params;
+  params.tiles = 400;
+  params.variation = 1;
+  const auto difference = [&](bool seamless) {
+    params.seamless = seamless;
+    double left = 0, right = 0;
+    int at_left = 0, at_right = 0;
+    for (const Piece& tile : lay(slope, params).sheet.pieces) {
+      const Point centre = centroid(tile.outline.outer);
+      if (centre.x < 6) left += tile.fill.r, ++at_left;
+      if (centre.x > 194) right += tile.fill.r, ++at_right;
+    }
+    return right / at_right - left / at_left;
+  };
+  EXPECT_GT(difference(false), 100);
+  EXPECT_LT(difference(true), 40);
 }
 
 TEST(MosaicProperty, SeamlessSquaresAreMovedApartAcrossTheSeam) {

@@ -75,6 +75,21 @@ TEST(MosaicFields, SalientThingsGetSmallerTilesHoweverPlain) {
   EXPECT_LT(by_saliency.side(50, 50), 0.6 * by_saliency.side(150, 50));
 }
 
+// As an old lens makes them.
+TEST(MosaicFields, DarkCornersAreLessSalientThanWhatIsInTheMiddle) {
+  const cv::Mat3b picture = paint(200, 200, [](double x, double y) {
+    const double r = std::hypot(x - 100, y - 100);
+    const int v = r > 110 ? 40 : 170;
+    return r < 25 ? cv::Vec3b(200, 90, 80) : cv::Vec3b(v, v, v);
+  });
+  Params params;
+  params.variation = 4;
+  params.sizes_by = SizesBy::kSaliency;
+  const Fields fields = make_fields({view_of(picture), {}, {}, {}}, params, 6);
+  for (const int x : {8, 192})
+    for (const int y : {8, 192}) EXPECT_LT(fields.side(100, 100), 0.95 * fields.side(x, y)) << x << ' ' << y;
+}
+
 TEST(MosaicFields, TheUsersPicturesAreObeyed) {
   const cv::Mat3b picture = disc_photo();
   const cv::Mat3b lines = paint(320, 320, [](double x, double) {
