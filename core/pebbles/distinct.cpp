@@ -22,8 +22,8 @@ constexpr double kLeastSolid = 0.7;      // area against that of the convex hull
 constexpr double kLeastSolidDark = 0.9;  // of what is darker than what is around: mostly a gap between pebbles
 constexpr int kBeside = 2;               // px: from the border to where colours are compared across it
 constexpr int kLeastChange = 10;         // levels, all channels together: less is none
-constexpr double kMostOpen = 0.35;  // of its border: what is more open is a part of something larger, as the ground
-constexpr int kFiner = 16;          // parts of a level
+constexpr double kMostOpen = 0.3;  // of its border: what is more open is a part of something larger, as the ground
+constexpr int kFiner = 16;         // parts of a level
 
 // Sums over pixels of Lab, in parts of a level.
 struct Tone {

@@ -16,8 +16,8 @@ enum class Collider { kNone, kHull };
 struct Params {
   int width = 900;
   Segmenter segmenter = Segmenter::kTree;
-  double smallest = 8;
-  double contrast = 1.5;
+  double smallest = 6;
+  double contrast = 2;
   double edge_ratio = 0.85;
   int median_radius = 2;
   std::string edits;

@@ -26,7 +26,7 @@ double looks(const Region& region, const std::vector<Region>& regions) {
   const double ellipticity = std::min(1.0, area / region.moments.ellipse_area());
   const double solidity = area / region.hull_area;
   const double lasting = std::max(0.0, regions[region.parent].joined_at - region.joined_at) / kLasting;
-  return ellipticity * solidity * (0.7 + 0.3 * lasting / (1 + lasting));
+  return ellipticity * solidity * (0.5 + 0.5 * lasting / (1 + lasting));
 }
 
 // Which regions are pebbles: disjoint ones with the largest sum of area times looks, by dynamic programming from the
