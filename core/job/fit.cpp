@@ -25,8 +25,9 @@ using patterns::Model;
 using statistics::Classes;
 
 constexpr double kWantedSpacing = 10;  // px between borders of the reduced picture
-constexpr int kLargestSide = 900;      // px, of what marks are taken from
-constexpr int kNeedles = 60000;        // a length
+constexpr int kLargestSide = 600;      // px, of what marks are taken from
+constexpr int kNeedles = 60000;        // a length, of the picture itself
+constexpr int kMarkNeedles = 15000;    // a length, for marks
 constexpr int kOwnPictures = 5;        // of each model
 constexpr int kLengths = 12;
 
@@ -66,13 +67,13 @@ struct Curve {
   std::vector<double> lengths, values;
 };
 
-Curve measured_curve(const Labels& labels, double spacing, Rng& rng) {
+Curve measured_curve(const Labels& labels, double spacing, int needles, Rng& rng) {
   Curve curve;
   const double longest = std::min(2.5 * spacing, std::min(labels.map.rows, labels.map.cols) / 3.0);
   for (int k = 1; k <= kLengths; ++k) curve.lengths.push_back(longest * k / kLengths);
   // The labels' shares are those of the picture, whatever these few cells have.
   const cv::Mat1i map = cv::Mat1i(labels.map);
-  for (const double agree : statistics::same_cell(map, curve.lengths, kNeedles, rng))
+  for (const double agree : statistics::same_cell(map, curve.lengths, needles, rng))
     curve.values.push_back((agree - labels.by_chance) / (1 - labels.by_chance));
   return curve;
 }
@@ -90,8 +91,8 @@ class Form {
   }
 
  private:
-  static constexpr int kSteps = 120;
-  static constexpr double kReach = 6;
+  static constexpr int kSteps = 80;
+  static constexpr double kReach = 4;
   std::vector<double> table_;
 };
 
@@ -206,7 +207,7 @@ Form form_of(const CellModel& model) {
 std::vector<double> marks_of(const Labels& labels, double spacing, Rng& rng) {
   const cv::Rect part(0, 0, std::min(labels.map.cols, kLargestSide), std::min(labels.map.rows, kLargestSide));
   std::vector<double> marks = statistics::border_marks(labels.map(part).clone(), spacing);
-  for (const double w : measured_curve(labels, spacing, rng).values) marks.push_back(w);
+  for (const double w : measured_curve(labels, spacing, kMarkNeedles, rng).values) marks.push_back(w);
   return marks;
 }
 
@@ -281,7 +282,7 @@ Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunC
   const double agree = statistics::same_cell(cv::Mat1i(labels.map), {kShort}, kNeedles, rng)[0];
   const double seen = std::max((1 - agree) / kShort, 1e-6), spacing = 1 / seen;
   const double border = seen / (1 - labels.by_chance) * kPi / 2;
-  const Curve curve = measured_curve(labels, spacing, rng);
+  const Curve curve = measured_curve(labels, spacing, kNeedles, rng);
   const std::vector<double> marks = marks_of(labels, spacing, rng);
 
   context.stage("models");

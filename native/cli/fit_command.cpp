@@ -30,9 +30,12 @@ Job job_of(const Fit& fit, std::uint64_t seed) { return {.seed = seed, .params =
 std::string report_of(const FitCommand& command, const std::string& bytes, const Fit& fit) {
   Json candidates = Json::array();
   for (const Candidate& c : fit.candidates) {
-    Json params = write_params(patterns::Params{.model = c.model});
-    candidates.push_back(
-        {{"model", params["model"]}, {"lambda", c.number}, {"distance", c.distance}, {"w_residual", c.residual}});
+    patterns::Params params;
+    params.model = c.model;
+    candidates.push_back({{"model", write_params(params)["model"]},
+                          {"lambda", c.number},
+                          {"distance", c.distance},
+                          {"w_residual", c.residual}});
   }
   const Json report = {{"tessera", TESSERA_VERSION},
                        {"technique", "fit"},
