@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,13 @@ std::string write_glb(const Scene& scene);
 std::string write_gltf(const Scene& scene);
 // The way to the sheet as an animated PNG, again and again: the sheet, drawn as large as the frames, for two seconds,
 // then the frames, 8-bit RGB, all of one size, ten a second. Programs that know no animation show the sheet. Without
-// frames the sheet alone, `scale` output pixels a source pixel.
-std::string write_apng(const PieceSheet& sheet, const std::vector<Raster>& frames, double scale = 1);
+// frames the sheet alone, `scale` output pixels a source pixel. Frames are drawn one after the other: all of them
+// take much memory.
+struct Frames {
+  int count = 0;
+  std::function<Raster(int index)> draw = {};
+};
+std::string write_apng(const PieceSheet& sheet, const Frames& frames, double scale = 1);
 
 // One or more histograms over the same bins, as an SVG plot with axes and a legend. Values are finite and >= 0.
 struct Histogram {

@@ -235,20 +235,21 @@ std::string write_png(const Raster& raster) {
   return out;
 }
 
-std::string write_apng(const PieceSheet& sheet, const std::vector<Raster>& frames, double scale) {
+std::string write_apng(const PieceSheet& sheet, const Frames& frames, double scale) {
   constexpr unsigned kSheetHundredths = 200, kFrameHundredths = 10;
-  const Picture picture = frames.empty()
-                              ? draw(sheet, scale)
-                              : draw(sheet, frames[0].width / sheet.width, frames[0].width, frames[0].height);
+  const auto as_large_as = [&](const Raster& frame) {
+    return draw(sheet, frame.width / sheet.width, frame.width, frame.height);
+  };
+  const Picture picture = frames.count == 0 ? draw(sheet, scale) : as_large_as(frames.draw(0));
   std::uint32_t sequence = 0;
   std::string out(kSignature);
   append_header(out, picture);
-  append_animation(out, frames.size() + 1);
+  append_animation(out, static_cast<std::size_t>(frames.count) + 1);
   append_frame_control(out, picture, kSheetHundredths, sequence);
   append_pixels(out, picture);
-  for (const Raster& frame : frames) {
+  for (int i = 0; i < frames.count; ++i) {
     append_frame_control(out, picture, kFrameHundredths, sequence);
-    append_frame(out, Picture(frame), sequence);
+    append_frame(out, Picture(frames.draw(i)), sequence);
   }
   append_chunk(out, "IEND", {});
   return out;

@@ -66,7 +66,7 @@ struct Outcome {
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
   std::vector<Plot> plots;
-  std::vector<Raster> frames = {};  // of the iterations, where "apng" was asked for
+  Frames frames = {};  // of the iterations, where they were recorded
 };
 
 struct JobResult {
@@ -83,10 +83,11 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
                                           const IterationObserver& observer = {});
 
 // The two halves of run_job(), for a program that wants files of a result later, one by one. Errors as there; the
-// second reports stage "format" and its own progress, 0..1. Iterations that nobody has recorded (Recorder) into the
-// outcome's frames are missing in "apng", which then is the result alone.
+// second reports stage "format" and its own progress, 0..1. `records` keeps iterations for "apng", of techniques that
+// have it; where it does not, "apng" is the result alone.
 tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
-                                            const RunContext& context, const IterationObserver& observer = {});
+                                            const RunContext& context, const IterationObserver& observer = {},
+                                            bool records = false);
 tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, const Outcome& outcome,
                                                               const JobRequest& request, const RunContext& context);
 

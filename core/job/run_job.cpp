@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -71,12 +72,16 @@ void check_seed(const Job& job, Problems& problems) {
       {StatusCode::kInvalidParameter, "seed", fmt::format("is {}, expected 0 to {}", job.seed, kMaxSeed)});
 }
 
+bool offers(const Technique& technique, std::string_view format) {
+  return std::find(technique.formats.begin(), technique.formats.end(), format) != technique.formats.end();
+}
+
 void check_request(const Technique& technique, const JobRequest& request, Problems& problems) {
-  const auto& known = technique.formats;
   for (const std::string& name : request.formats) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    problems.push_back({StatusCode::kInvalidParameter, name,
-                        fmt::format("is no output of {}, expected {}", technique.name, either_of(known))});
+    if (offers(technique, name)) continue;
+    problems.push_back(
+        {StatusCode::kInvalidParameter, name,
+         fmt::format("is no output of {}, expected {}", technique.name, either_of(technique.formats))});
   }
   if (!(request.png_scale >= 0 && request.png_scale <= kMaxPngScale)) {
     problems.push_back({StatusCode::kInvalidParameter, "pngScale",
@@ -123,9 +128,19 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
 }
 
 Result<Outcome> compute_valid_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
-                                  const RunContext& context, const IterationObserver& observer) {
-  auto outcome = technique_of(job.params).run(job, pictures, rasterizer, context, observer);
-  if (outcome) outcome->sheet.job_json = outcome->scene.job_json = job_to_text(job);
+                                  const RunContext& context, const IterationObserver& observer, bool records) {
+  const Technique& technique = technique_of(job.params);
+  std::shared_ptr<Recorder> recorder;
+  if (records && offers(technique, "apng"))
+    recorder = std::make_shared<Recorder>(pictures.at(std::string(technique.inputs.front().name)));
+  const IterationObserver record = [&](const Iteration& iteration) {
+    recorder->record(iteration);
+    if (observer) observer(iteration);
+  };
+  auto outcome = technique.run(job, pictures, rasterizer, context, recorder ? record : observer);
+  if (!outcome) return outcome;
+  outcome->sheet.job_json = outcome->scene.job_json = job_to_text(job);
+  if (recorder) outcome->frames = {recorder->frames(), [recorder](int index) { return recorder->frame(index); }};
   return outcome;
 }
 
@@ -162,12 +177,13 @@ void check_job(const Job& job, Problems& problems) {
 }  // namespace
 
 tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
-                                            const RunContext& context, const IterationObserver& observer) {
+                                            const RunContext& context, const IterationObserver& observer,
+                                            bool records) {
   Problems problems;
   check_job(job, problems);
   check_pictures(technique_of(job.params), pictures, problems);
   if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
-  return guarded([&] { return compute_valid_job(job, pictures, rasterizer, context, observer); });
+  return guarded([&] { return compute_valid_job(job, pictures, rasterizer, context, observer, records); });
 }
 
 tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, const Outcome& outcome,
@@ -178,27 +194,6 @@ tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, co
   return guarded([&] { return write_valid_artifacts(outcome, request, context); });
 }
 
-namespace {
-
-// compute_job(), with its iterations where the request is for them.
-tl::expected<Outcome, Problems> compute_recorded(const Job& job, const Pictures& pictures, const JobRequest& request,
-                                                 Rasterizer& rasterizer, const RunContext& context,
-                                                 const IterationObserver& observer) {
-  if (std::find(request.formats.begin(), request.formats.end(), "apng") == request.formats.end())
-    return compute_job(job, pictures, rasterizer, context, observer);
-  const std::string_view main_role = technique_of(job.params).inputs.front().name;
-  Recorder recorder(pictures.at(std::string(main_role)));
-  const IterationObserver record = [&](const Iteration& iteration) {
-    recorder.record(iteration);
-    if (observer) observer(iteration);
-  };
-  auto outcome = compute_job(job, pictures, rasterizer, context, record);
-  if (outcome) outcome->frames = recorder.take();
-  return outcome;
-}
-
-}  // namespace
-
 tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,
                                           Rasterizer& rasterizer, const RunContext& context,
                                           const IterationObserver& observer) {
@@ -207,7 +202,8 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
   check_request(technique_of(job.params), request, problems);
   check_pictures(technique_of(job.params), pictures, problems);
   if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
-  auto outcome = compute_recorded(job, pictures, request, rasterizer, part_of(context, 0, kTechniqueShare), observer);
+  const bool animated = std::find(request.formats.begin(), request.formats.end(), "apng") != request.formats.end();
+  auto outcome = compute_job(job, pictures, rasterizer, part_of(context, 0, kTechniqueShare), observer, animated);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
   if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));

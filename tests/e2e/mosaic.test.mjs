@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { closeBrowser, withApp } from './browser/app.mjs';
 import { checkLook, looks } from './browser/looks.mjs';
-import { inFolder, nativeSvg } from './native.mjs';
+import { inFolder, nativeFile, nativeSvg } from './native.mjs';
 import { root } from './root.mjs';
 import { assertSameStones } from './same_stones.mjs';
 
@@ -24,6 +24,17 @@ const withMosaic = (options, use) =>
 
 const jobOf = async (app) => JSON.parse((await app.download('job')).text);
 const svgOf = async (app) => (await app.download('SVG')).text.replace(/<metadata>[\s\S]*?<\/metadata>/, '');
+
+/** How many frames an animated PNG promises, and has. */
+function framesOf(png) {
+  const kinds = [];
+  let promised = 0;
+  for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
+    kinds.push(png.toString('latin1', at + 4, at + 8));
+    if (kinds.at(-1) === 'acTL') promised = png.readUInt32BE(at + 8);
+  }
+  return [promised, kinds.filter((kind) => kind === 'fcTL').length];
+}
 
 /** The numbers of tiles in a bill of materials. */
 function countsOf(csv) {
@@ -60,6 +71,35 @@ for (const isolated of [true, false]) {
       await app.button('More downloads').click();
       assert.equal(JSON.parse((await app.download('GeoJSON')).text).features.length, tiles);
       assert.equal((await app.download('CSV')).text.trim().split('\n').length, tiles + 1);
+    });
+  });
+
+  test(`${build}: the animation and the solid tiles are made when asked for, and are the native program's`, async (t) => {
+    await withMosaic({ isolated }, async (app, page) => {
+      const job = await app.download('job');
+      const pictures = { photo: readFileSync(join(root, 'public/samples/fruit.png')) };
+      await app.button('More downloads').click();
+      const begin = performance.now();
+      const animation = await app.demand('animation');
+      t.diagnostic(`${Math.round(performance.now() - begin)} ms, ${animation.bytes.length} bytes`);
+      assert.equal(animation.name, 'fruit-mosaic.animation.png');
+      assert.deepEqual(framesOf(animation.bytes), [22, 22]); // the mosaic, and 20 iterations from the first sites on
+      await inFolder((folder) =>
+        assert.ok(animation.bytes.equals(nativeFile(folder, job.text, pictures, 'apng')), 'not the native bytes'),
+      );
+      assert.equal((await app.demand('GLB')).text.slice(0, 4), 'glTF');
+
+      // Another run, another animation; what a stopped one took with it is told.
+      await app.set('Iterations', 3);
+      await app.running();
+      await app.finished();
+      assert.deepEqual(framesOf((await app.demand('animation')).bytes), [5, 5]);
+      await app.set('Iterations', 900);
+      await app.running();
+      await app.button('Cancel').click(); // which folds "More" away
+      await app.button('More downloads').click();
+      await app.button('Download GLB').click();
+      await page.locator('.bar-text').getByText(/Generate once more/).waitFor();
     });
   });
 }

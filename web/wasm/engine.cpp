@@ -56,7 +56,7 @@ tl::expected<const Outcome*, Problems> Engine::run(const Job& job, BackendChoice
     pictures[role] = {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
   }
   const auto rasterizer = make_rasterizer(choice, context);
-  auto outcome = compute_job(job, pictures, *rasterizer, context, observer);
+  auto outcome = compute_job(job, pictures, *rasterizer, context, observer, /*records=*/true);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   backend = rasterizer->name();
   finished_ = Finished{job, *std::move(outcome)};

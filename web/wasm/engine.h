@@ -25,7 +25,7 @@ class Engine {
   // Tells that a WebGL2 context is current on this thread. Fails where the diagram cannot be drawn with it.
   Result<void> use_gl(bool software);
 
-  // The result stays for artifact() until the next run. Whatever the choice, the CPU takes over where GL fails on the
+  // The result stays for artifact() until the next run, with its iterations for "apng". Whatever the choice, the CPU takes over where GL fails on the
   // way. `backend` is set to the one that drew last.
   tl::expected<const Outcome*, Problems> run(const Job& job, BackendChoice choice, RunContext context,
                                              const IterationObserver& observer, std::string& backend);

@@ -98,8 +98,17 @@ class App {
   }
 
   /** The file behind a download link. */
-  async download(kind) {
-    const [download] = await Promise.all([this.page.waitForEvent('download'), this.link(`Download ${kind}`).click()]);
+  download(kind) {
+    return this.downloadBy(this.link(`Download ${kind}`));
+  }
+
+  /** A file that is made when it is asked for. */
+  demand(kind) {
+    return this.downloadBy(this.button(`Download ${kind}`));
+  }
+
+  async downloadBy(control) {
+    const [download] = await Promise.all([this.page.waitForEvent('download'), control.click()]);
     const bytes = await readFile(await download.path());
     return { name: download.suggestedFilename(), bytes, text: bytes.toString('utf8') };
   }

@@ -199,7 +199,8 @@ TEST(WriteApng, TheSheetComesFirstThenTheFrames) {
   for (std::size_t k = 0; k < frames.size(); ++k)
     for (std::size_t i = 0; i < frames[k].bytes.size(); ++i)
       frames[k].bytes[i] = static_cast<std::uint8_t>(i * 7 + k * 40);
-  const std::string file = write_apng(sheet, frames);
+  const std::string file = write_apng(
+      sheet, {static_cast<int>(frames.size()), [&](int k) { return frames[static_cast<std::size_t>(k)]; }});
   const Animation animation = read_animation(file);
   ASSERT_EQ(animation.frames.size(), 4u);
   EXPECT_EQ(animation.promised, 4u);

@@ -24,13 +24,13 @@ TEST(Recorder, CellsHaveThePicturesColoursAndDarkBorders) {
   labels(cv::Rect(8, 0, 8, 4)).setTo(1);
   Recorder recorder(view_of(picture));
   recorder.record({0, 0, 2, Sites(2), labels, {}});
-  const auto frames = recorder.take();
-  ASSERT_EQ(frames.size(), 1u);
-  ASSERT_EQ(frames[0].width, 8);
-  ASSERT_EQ(frames[0].height, 2);
+  ASSERT_EQ(recorder.frames(), 1);
+  const Raster frame = recorder.frame(0);
+  ASSERT_EQ(frame.width, 8);
+  ASSERT_EQ(frame.height, 2);
   const std::vector<int> reds = {200, 200, 200, 125, 0, 0, 0, 0};
-  for (int x = 0; x < 8; ++x) EXPECT_EQ(frames[0].bytes[3 * x], reds[x]) << x;
-  EXPECT_EQ(frames[0].bytes[3 * 7 + 2], 160);
+  for (int x = 0; x < 8; ++x) EXPECT_EQ(frame.bytes[3 * x], reds[x]) << x;
+  EXPECT_EQ(frame.bytes[3 * 7 + 2], 160);
 }
 
 TEST(Recorder, ManyIterationsAreThinnedOut) {
@@ -39,10 +39,18 @@ TEST(Recorder, ManyIterationsAreThinnedOut) {
   for (const int last : {0, 1, 20, 58, 59, 60, 117, 118, 1000}) {
     Recorder recorder(view_of(picture));
     for (int i = 0; i <= last; ++i) recorder.record({i, last, 1, {}, labels, {}});
-    const std::size_t frames = recorder.take().size();
-    EXPECT_LE(frames, 60u) << last;
-    EXPECT_GE(frames, last < 59 ? last + 1u : 30u) << last;
+    EXPECT_LE(recorder.frames(), 60) << last;
+    EXPECT_GE(recorder.frames(), last < 60 ? last + 1 : 30) << last;
   }
+}
+
+TEST(Recorder, LargeFramesAreFewer) {
+  const cv::Mat3b picture = two_halves(800, 800);
+  const LabelMap labels(800, 800, 0);
+  Recorder recorder(view_of(picture));
+  for (int i = 0; i <= 40; ++i) recorder.record({i, 40, 1, Sites(1), labels, {}});
+  EXPECT_LE(recorder.frames() * 800 * 800 * 4, 54'000'000);
+  EXPECT_GE(recorder.frames(), 12);
 }
 
 TEST(Recorder, LargePicturesMakeSmallFrames) {
@@ -50,9 +58,8 @@ TEST(Recorder, LargePicturesMakeSmallFrames) {
   const LabelMap labels(500, 2000, 0);
   Recorder recorder(view_of(picture));
   recorder.record({0, 0, 1, Sites(1), labels, {}});
-  const auto frames = recorder.take();
-  EXPECT_EQ(frames[0].width, 800);
-  EXPECT_EQ(frames[0].height, 200);
+  EXPECT_EQ(recorder.frame(0).width, 800);
+  EXPECT_EQ(recorder.frame(0).height, 200);
 }
 
 TEST(Recorder, EveryTechniqueIsAnimated) {

@@ -229,6 +229,18 @@ export class EngineClient {
     });
   }
 
+  /** One more file of the run that ended last; null where the engine does not have it any more. */
+  makeFile(format: string): Promise<Blob | null> {
+    const id = this.nextId++;
+    return new Promise((resolve) => {
+      this.waiting.set(id, (answer) => {
+        this.waiting.delete(id);
+        resolve(answer.type === 'file' ? answer.blob : null);
+      });
+      this.ask({ type: 'file', id, run: this.last, format });
+    });
+  }
+
   /** Resolves once nothing runs any more; the run itself ends as cancelled at once. */
   cancel(): Promise<void> {
     this.stopping ??= this.stop().finally(() => (this.stopping = null));

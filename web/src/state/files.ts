@@ -12,6 +12,8 @@ export interface FileKind {
   ending: string;
   /** Among those that are folded away. */
   more?: boolean;
+  /** Made when it is asked for, since it takes longer. */
+  onDemand?: boolean;
 }
 
 const kFlat: readonly FileKind[] = [
@@ -23,6 +25,8 @@ const kFlat: readonly FileKind[] = [
   { format: 'job', title: 'job', ending: 'json' },
   { format: 'csv', title: 'CSV', ending: 'csv', more: true },
   { format: 'json', title: 'GeoJSON', ending: 'geojson', more: true },
+  { format: 'apng', title: 'animation', short: 'Animation', ending: 'animation.png', more: true, onDemand: true },
+  { format: 'glb', title: 'GLB', ending: 'glb', more: true, onDemand: true },
   // The job names these two.
   { format: 'edges', title: 'edges.png', ending: 'png', more: true },
   { format: 'regions', title: 'regions.png', ending: 'png', more: true },

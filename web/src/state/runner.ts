@@ -134,11 +134,13 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   const update = (change: Partial<NonNullable<typeof run.value>>) => {
     if (mine === newest && run.value) run.value = { ...run.value, ...change };
   };
-  const formats = fileKinds.value.map(({ format }) => format).filter((f) => known.value?.formats.includes(f));
+  const formats = fileKinds.value
+    .filter(({ format, onDemand }) => !onDemand && known.value?.formats.includes(format))
+    .map(({ format }) => format);
   const inputs = Object.fromEntries(
     Object.keys(job.inputs).map((role) => [role, role === inputRole.value ? kPicture : role]),
   );
-  const baseName = baseNameOf(picture.value?.name ?? 'drawing', job.technique);
+  const baseName = baseNameOf(pictureName(), job.technique);
   const end = await client.run(
     { job, inputs, backend: backend.value, scale, formats, pieces: entry.value.solid },
     {
@@ -165,6 +167,21 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   });
   return end.kind === 'done';
 }
+
+/** A file that is made on demand; null where the run that it was to come from is over by now. */
+export async function demandFile(format: string): Promise<FileLink | null> {
+  const { value: wanted } = outcome;
+  if (!wanted) return null;
+  const before = wanted.files[format];
+  if (before) return before;
+  const blob = await client.makeFile(format);
+  if (outcome.value?.job !== wanted.job) return null;
+  if (blob) addFile(format, { blob, name: `${baseNameOf(pictureName(), wanted.job.technique)}.${endingOf(format)}` });
+  else notice.value = 'Generate once more to make this file';
+  return outcome.value.files[format] ?? null;
+}
+
+const pictureName = () => picture.value?.name ?? 'drawing';
 
 /** "coast-mosaic" of coast.png. */
 function baseNameOf(pictureName: string, name: string): string {

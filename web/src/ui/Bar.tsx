@@ -3,7 +3,8 @@ import { ChevronDown, Download } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { fileKinds, type FileKind } from '../state/files';
-import { entry, engine, known, notice, outcome, run, type Outcome, type Run } from '../state/store';
+import { demandFile } from '../state/runner';
+import { entry, engine, known, notice, outcome, run, type FileLink, type Outcome, type Run } from '../state/store';
 import { timeLeft } from './time-left';
 
 const kStages: Record<string, string> = { picture: 'Opening the picture' };
@@ -72,13 +73,51 @@ function Downloads() {
   const offered = fileKinds.value.filter(({ format }) => made.has(format));
   return (
     <div class="downloads">
-      {offered.map((kind) => kind.more || <DownloadLink key={kind.format} kind={kind} />)}
-      <More>{offered.map((kind) => kind.more && <DownloadLink key={kind.format} kind={kind} />)}</More>
+      {offered.map((kind) => kind.more || <Offered key={kind.format} kind={kind} />)}
+      <More>{offered.map((kind) => kind.more && <Offered key={kind.format} kind={kind} />)}</More>
     </div>
   );
 }
 
 const files = () => (run.value ? {} : (outcome.value?.files ?? {}));
+
+const Offered = ({ kind }: { kind: FileKind }) =>
+  kind.onDemand && !run.value && outcome.value && !outcome.value.reduced ? (
+    <DownloadButton kind={kind} />
+  ) : (
+    <DownloadLink kind={kind} />
+  );
+
+/** Makes the file first. */
+function DownloadButton({ kind: { format, title, short = title } }: { kind: FileKind }) {
+  const busy = useSignal(false);
+  const press = async () => {
+    if (busy.value) return;
+    busy.value = true;
+    const file = await demandFile(format);
+    busy.value = false;
+    if (file) save(file);
+  };
+  return (
+    <button
+      type="button"
+      class="download"
+      aria-label={`Download ${title}`}
+      aria-busy={busy.value}
+      onClick={() => void press()}
+    >
+      <Download size={15} aria-hidden />
+      {busy.value ? 'Making…' : short}
+    </button>
+  );
+}
+
+function save({ address, name }: FileLink): void {
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+}
 
 function DownloadLink({ kind: { format, title, short = title } }: { kind: FileKind }) {
   const file = files()[format];

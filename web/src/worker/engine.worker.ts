@@ -144,12 +144,25 @@ function previewer(id: number, scale: number): (iteration: Iteration) => void {
   };
 }
 
+function blobOf(tessera: Tessera, format: string): Blob {
+  const { bytes, mediaType } = tessera.artifact(format);
+  return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mediaType });
+}
+
 async function makeFiles(tessera: Tessera, id: number, formats: readonly string[]): Promise<void> {
   for (const format of formats) {
     await breathe();
     if (newest !== id) return;
-    const { bytes, mediaType } = tessera.artifact(format);
-    tell({ type: 'file', id, format, blob: new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mediaType }) });
+    tell({ type: 'file', id, format, blob: blobOf(tessera, format) });
+  }
+}
+
+function makeFile({ id, run, format }: ToEngine & { type: 'file' }): void {
+  try {
+    if (!engine || newest !== run) throw new Error('the run is over');
+    tell({ type: 'file', id, format, blob: blobOf(engine, format) });
+  } catch (error) {
+    tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }
 }
 
@@ -173,6 +186,8 @@ scope.onmessage = ({ data }: MessageEvent<ToEngine>) => {
       return;
     case 'run':
       return void run(data.id, data.request);
+    case 'file':
+      return makeFile(data);
     case 'read':
       return read(data.id, data.text);
   }

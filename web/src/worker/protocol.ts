@@ -45,6 +45,8 @@ export type ToEngine =
   | { type: 'boot'; base: string; threads: number; wasm: WebAssembly.Module | undefined; graphics: Graphics | null }
   | { type: 'picture'; id: number; slot: string; name: string; blob: Blob }
   | { type: 'run'; id: number; request: RunRequest }
+  /** One more file of a run that is done. */
+  | { type: 'file'; id: number; run: number; format: string }
   | { type: 'read'; id: number; text: string };
 
 export type FromEngine =
