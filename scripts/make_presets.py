@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Makes the pictures of the presets in public/presets: what the native program makes of a small wave, a pavement's, and
-of a piece of a sample, a mosaic's.
+of a piece of a sample, a mosaic's; and those of a pattern's models in public/models.
 
 usage: python3 scripts/make_presets.py [TESSERA]     (else build/native-release/bin/tessera)
 """
@@ -18,6 +18,10 @@ from paint_samples import png
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 SAMPLE = ROOT / 'public/samples/fruit.png'
 LEFT, TOP, WIDTH, HEIGHT = 200, 432, 152, 114  # of the piece, and the size of all pictures
+MODELS = {'size': 22, 'width': WIDTH, 'height': HEIGHT}  # parameters of all models, and of some
+OF_MODEL = {'points': {'size': 9, 'colors': '#22313f #e4dbcb'}, 'pixels': {'size': 5}, 'circles': {'length': 16},
+            'delaunay': {'size': 15}, 'triangle': {'size': 30}, 'hexagon': {'size': 15},
+            'segments': {'size': 14, 'length': 24}}
 LIGHT, DARK = (232, 232, 228), (34, 34, 34)
 
 
@@ -36,11 +40,11 @@ def piece(width, height, rows):
     return pixels, WIDTH * HEIGHT / (width * height)
 
 
-def make(tessera, folder, technique, role, params):
-    """What the program makes of input.png in the folder: width, height, rows of bytes."""
+def make(tessera, folder, technique, inputs, params):
+    """What the program makes of pictures in the folder, by role: width, height, rows of bytes."""
     job, made = pathlib.Path(folder, 'job.json'), pathlib.Path(folder, 'made.png')
     job.write_text(json.dumps({'schemaVersion': 1, 'technique': technique, 'seed': 1, 'params': params,
-                               'inputs': {role: 'input.png'}}), encoding='utf-8')
+                               'inputs': inputs}), encoding='utf-8')
     subprocess.run([tessera, 'run', job, '-o', made, '--backend', 'cpu', '--quiet'], check=True)
     return decoded(made.read_bytes())
 
@@ -56,8 +60,13 @@ def main():
                 params = dict(preset['params'])
                 if technique == 'mosaic':
                     params['tiles'] = round(params.get('tiles', 2000) * part)
-                result = reduced(*make(tessera, folder, technique, role, params), WIDTH, HEIGHT)  # it draws them larger
+                result = reduced(*make(tessera, folder, technique, {role: 'input.png'}, params), WIDTH, HEIGHT)
                 (ROOT / 'public' / preset['picture']).write_bytes(png(result))
+        schema = json.loads(subprocess.run([tessera, 'schema', 'pattern'], check=True, capture_output=True).stdout)
+        for model in schema['properties']['model']['enum']:
+            params = {**MODELS, **OF_MODEL.get(model, {}), 'model': model}
+            result = reduced(*make(tessera, folder, 'pattern', {}, params), WIDTH, HEIGHT)
+            (ROOT / 'public/models' / f'{model}.png').write_bytes(png(result))
 
 
 if __name__ == '__main__':

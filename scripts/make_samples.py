@@ -271,28 +271,31 @@ def with_palette(png, palette):
 
 
 def decoded(png):
-    """(width, height, rows of RGB bytes) of an 8-bit RGB PNG."""
-    at, data = 8, b''
+    """(width, height, rows of RGB bytes) of a PNG of 8 bits, RGB or by a palette."""
+    at, data, palette = 8, b'', None
     while at < len(png):
         length, kind = struct.unpack('>I4s', png[at:at + 8])
         body = png[at + 8:at + 8 + length]
         if kind == b'IHDR':
             width, height, *layout = struct.unpack('>IIBBBBB', body)
-            assert layout == [8, 2, 0, 0, 0], layout
+            assert layout in ([8, 2, 0, 0, 0], [8, 3, 0, 0, 0]), layout
+        elif kind == b'PLTE':
+            palette = [body[k:k + 3] for k in range(0, length, 3)]
         elif kind == b'IDAT':
             data += body
         at += 12 + length
-    data, stride, rows, above = zlib.decompress(data), 3 * width, [], bytearray(3 * width)
+    step = 1 if palette else 3  # bytes a pixel
+    data, stride, rows, above = zlib.decompress(data), step * width, [], bytearray(step * width)
     for y in range(height):
         line = data[y * (stride + 1):(y + 1) * (stride + 1)]
-        above = unfiltered(line[0], bytearray(line[1:]), above)
-        rows.append(above)
+        above = unfiltered(line[0], bytearray(line[1:]), above, step)
+        rows.append(b''.join(palette[i] for i in above) if palette else above)
     return width, height, rows
 
 
-def unfiltered(kind, row, above):
+def unfiltered(kind, row, above, step):
     for i in range(len(row)):
-        left, up, corner = (row[i - 3], above[i], above[i - 3]) if i >= 3 else (0, above[i], 0)
+        left, up, corner = (row[i - step], above[i], above[i - step]) if i >= step else (0, above[i], 0)
         if kind == 4:
             guess = min((abs(up - corner), 0, left), (abs(left - corner), 1, up),
                         (abs(left + up - 2 * corner), 2, corner))[2]

@@ -27,7 +27,7 @@ struct Border {
     const SinCos turn = sin_cos(angle);
     return a * turn.cos + b * turn.sin + c;
   }
-  double highest() const { return std::hypot(a, b) + c; }
+  double highest() const { return std::sqrt(a * a + b * b) + c; }
 };
 
 Border border_between(const Nucleus& own, const Nucleus& other) {
@@ -39,9 +39,9 @@ Border border_between(const Nucleus& own, const Nucleus& other) {
 
 // Directions where two borders meet; false where they do not.
 bool crossings(const Border& f, const Border& g, double& one, double& two) {
-  const double a = g.a - f.a, b = g.b - f.b, c = g.c - f.c, most = std::hypot(a, b);
-  if (!(std::abs(c) < most)) return false;
-  const double middle = atan2_portable(b, a), half = std::acos(-c / most);
+  const double a = g.a - f.a, b = g.b - f.b, c = g.c - f.c, most = a * a + b * b;
+  if (!(c * c < most)) return false;
+  const double middle = atan2_portable(b, a), half = atan2_portable(std::sqrt(most - c * c), -c);
   one = middle - half;
   two = middle + half;
   return true;
@@ -142,13 +142,21 @@ class Builder {
   }
 
  private:
+  // Beginning at the first corner clockwise of x: which arc comes first, the envelope leaves to the last bit.
   Ring outline(int own, const Envelope& envelope) const {
     const auto& arcs = envelope.arcs();
     const std::size_t n = arcs.size();
     Ring corners;
     for (std::size_t k = 0; k < n; ++k) corners.push_back(corner(own, arcs[k > 0 ? k - 1 : n - 1], arcs[k]));
+    const auto direction = [](const Envelope::Arc& arc) {
+      return arc.begin - std::floor(arc.begin / (2 * kPi)) * 2 * kPi;
+    };
+    const auto first = std::min_element(arcs.begin(), arcs.end(), [&](const auto& one, const auto& other) {
+      return direction(one) < direction(other);
+    });
     Ring ring;
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = (static_cast<std::size_t>(first - arcs.begin()) + i) % n;
       ring.push_back(corners[k]);
       if (arcs[k].other != kFree)
         bend(own, arcs[k].other, corners[k], corners[k + 1 < n ? k + 1 : 0], ring);

@@ -11,6 +11,7 @@
 #include "tessera/patterns/lattice_cells.h"
 #include "tessera/patterns/line_cells.h"
 #include "tessera/patterns/pixel_noise.h"
+#include "tessera/patterns/shrink.h"
 #include "tessera/patterns/voronoi_cells.h"
 
 namespace tessera::patterns {
@@ -61,17 +62,21 @@ bool has_borders(const Params& p) {
   return p.border > 0 && !is_bombing(p.model) && p.model != Model::kPoints && p.model != Model::kGaussian;
 }
 
-// Half a border's thickness inwards on every side. The cells are those of a window larger by a border, so that there
-// is none along the window's own sides.
-Cells with_borders(Cells cells, const Params& p, const Window& window) {
+// Half a border's thickness inwards on every side; colours follow their cells. The cells are those of a wider window,
+// so that there is no border along the window's own sides.
+Cells with_borders(const Cells& cells, std::vector<Rgb>& colours, const Params& p, const Window& window) {
   Cells inner;
-  for (Ring& ring : cells) {
-    ring = inset(ring, p.border / 2);
+  std::vector<Rgb> theirs;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Ring ring = shrink(cells[i], p.border / 2);
+    if (ring.empty()) continue;
     if (window.periodic)
       inner.push_back(std::move(ring));
     else
       append_within(window, std::move(ring), inner);
+    theirs.resize(inner.size(), colours[i]);
   }
+  colours = std::move(theirs);
   return inner;
 }
 
@@ -114,17 +119,19 @@ Result<Output> run(const ImageView& density, const Params& params, std::uint64_t
 
   context.stage("cells");
   const Window window{{0, 0}, {params.width, params.height}, params.seamless};
-  const Window wider = has_borders(params) && !params.seamless ? window.grown(params.border) : window;
+  // By the same for any thin border, so that another one leaves the pattern as it is.
+  const double margin = std::max(params.border, params.size);
+  const Window wider = has_borders(params) && !params.seamless ? window.grown(margin) : window;
   Rng rng(seed, RngPurpose::kSites);
   auto cells = tessellate(density, params, wider, rng, context);
   if (!cells) return tl::unexpected<Status>(std::move(cells.error()));
-  if (has_borders(params)) *cells = with_borders(std::move(*cells), params, window);
   if (cells->empty()) context.warn("the pattern is empty: its process has made nothing in this window");
   if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
   context.progress(0.8);
 
   context.stage("colours");
-  const std::vector<Rgb> colours = colour(*cells, params, window, seed);
+  std::vector<Rgb> colours = colour(*cells, params, window, seed);
+  if (has_borders(params)) *cells = with_borders(*cells, colours, params, window);
 
   Output output{empty_sheet(params), {}, driving_intensity(params)};
   output.sheet.pieces.reserve(cells->size());

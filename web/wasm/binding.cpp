@@ -64,11 +64,17 @@ std::string technique_list() {
   Json list = Json::array();
   for (const Technique& technique : techniques()) {
     Json inputs = Json::array();
-    for (const InputRole& role : technique.inputs) inputs.push_back({{"name", role.name}, {"help", role.help}});
+    for (const InputRole& role : technique.inputs)
+      inputs.push_back({{"name", role.name},
+                        {"help", role.help},
+                        {"required", role.required},
+                        {"parameter", role.parameter},
+                        {"chosen", role.chosen}});
     list.push_back({{"name", technique.name},
                     {"command", technique.command},
                     {"help", technique.help},
                     {"inputs", inputs},
+                    {"subject", technique.subject},
                     {"formats", technique.formats}});
   }
   return to_text(list);
@@ -134,7 +140,10 @@ std::string run(const std::string& job_text, const std::string& backend_choice, 
   std::string backend;
   const auto outcome = engine().run(*job, choice_of(backend_choice), context_for(watcher), observer, backend);
   if (!outcome) return problems_text(outcome.error());
-  return to_text({{"backend", backend}, {"counts", (*outcome)->counts}, {"metrics", (*outcome)->metrics}});
+  return to_text({{"backend", backend},
+                  {"counts", (*outcome)->counts},
+                  {"metrics", (*outcome)->metrics},
+                  {"retouched", static_cast<bool>((*outcome)->finish)}});
 }
 
 // The diagram of the iteration that is being observed; null at any other time.

@@ -148,7 +148,8 @@ TEST(PointProcessTest, PointsKeepTheirDistance) {
       const std::pair<std::vector<Point>, double> kept[] = {{matern1_points(window, 0.5, 0.4, rng), 0.8},
                                                             {matern2_points(window, 0.9, 0.4, rng), 0.8},
                                                             {blue_noise_points(window, 1.1, rng), 1.1}};
-      for (const auto& [points, distance] : kept) {
+      for (const auto& [kept_points, distance] : kept) {
+        const auto& points = kept_points;  // clang 14 captures no structured binding
         const PointGrid grid(points, window, distance);
         for (std::size_t i = 0; i < points.size(); ++i)
           ASSERT_TRUE(grid.each_near(points[i], distance * (1 - 1e-12), [&](int k, Point place) {

@@ -58,11 +58,20 @@ export interface JobSchema {
   [word: string]: unknown;
 }
 
+export interface InputRole {
+  name: string; // "drawing", as jobs have it
+  help: string; // one line
+  required: boolean;
+  parameter: string; // that has to be `chosen` for this picture to be looked at; may be empty
+  chosen: string;
+}
+
 export interface Technique {
   name: string; // "pavement", as jobs have it
   command: string; // "pave", of the command line
   help: string; // one line
-  inputs: { name: string; help: string }[];
+  inputs: InputRole[];
+  subject: string; // the parameter that says what is made where no picture does ("model"); may be empty
   formats: string[]; // that artifact() makes: "svg", "dxf"
 }
 
@@ -109,6 +118,7 @@ export interface RunResult {
   backend: string; // that drew the last diagram: "cpu" or "gl"
   counts: Record<string, number>;
   metrics: Record<string, number>;
+  retouched: boolean; // the PNG shows more than the pieces: noise, a filter
 }
 
 /** A finished output. `name` is the extension it answers ("svg"). */

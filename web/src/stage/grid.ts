@@ -27,12 +27,10 @@ export function gridOf(pieces: Pieces): Grid {
 }
 
 function eachBucket(pieces: Pieces, grid: Grid, visit: (bucket: number, piece: number) => void): void {
-  const column = (x: number) => Math.min(grid.columns - 1, Math.max(0, Math.floor(x / grid.cell)));
-  const row = (y: number) => Math.min(grid.rows - 1, Math.max(0, Math.floor(y / grid.cell)));
   for (let piece = 0; piece < pieces.count; ++piece) {
     const [left, top, right, bottom] = boundsOf(pieces, piece);
-    for (let r = row(top); r <= row(bottom); ++r) {
-      for (let c = column(left); c <= column(right); ++c) visit(r * grid.columns + c, piece);
+    for (let r = rowOf(grid, top); r <= rowOf(grid, bottom); ++r) {
+      for (let c = columnOf(grid, left); c <= columnOf(grid, right); ++c) visit(r * grid.columns + c, piece);
     }
   }
 }
@@ -56,12 +54,13 @@ const pointsOf = (pieces: Pieces, piece: number): [number, number] => [
   pieces.ringStarts[pieces.pieceStarts[piece + 1]!]!,
 ];
 
+/** What sticks out of the picture is in the buckets along its sides. */
+const columnOf = ({ cell, columns }: Grid, x: number) => Math.min(columns - 1, Math.max(0, Math.floor(x / cell)));
+const rowOf = ({ cell, rows }: Grid, y: number) => Math.min(rows - 1, Math.max(0, Math.floor(y / cell)));
+
 /** The piece at a point of the picture, or -1: grout, or outside. */
 export function pieceAt(pieces: Pieces, grid: Grid, x: number, y: number): number {
-  const c = Math.floor(x / grid.cell);
-  const r = Math.floor(y / grid.cell);
-  if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows) return -1;
-  const bucket = r * grid.columns + c;
+  const bucket = rowOf(grid, y) * grid.columns + columnOf(grid, x);
   for (let k = grid.starts[bucket]!; k < grid.starts[bucket + 1]!; ++k) {
     const piece = grid.members[k]!;
     if (contains(pieces, piece, x, y)) return piece;

@@ -66,6 +66,9 @@ scope.onmessage = ({ data }: MessageEvent<ToPainter>) => {
     case 'view':
       scene.view = data.view;
       break;
+    case 'sheet':
+      scene.lay(data.sheet);
+      break;
     case 'look':
       scene.look = data.look;
       break;

@@ -17,6 +17,7 @@ export class Scene {
   look: Look | null = null;
   pointer: Point | null = null;
 
+  private sheet: Size | null = null;
   private source: { bitmap: ImageBitmap; width: number; height: number } | null = null;
   private stones: { drawing: StoneDrawing; grid: Grid } | null = null;
   private diagram: Diagram | null = null; // that the stones were made from
@@ -28,7 +29,23 @@ export class Scene {
 
   /** Whether draw() draws it. */
   get hasPicture(): boolean {
-    return Boolean(this.source && this.look);
+    return Boolean((this.sheet ? this.stones : this.source) && this.look);
+  }
+
+  /** What there is to look at, px: the picture, or without one the sheet. */
+  private get area(): Size | null {
+    return this.sheet ? (this.stones?.drawing.size ?? this.sheet) : this.source;
+  }
+
+  /** Without a picture from now on, or on one again; a sheet of another size takes its pieces as they come. */
+  lay(sheet: Size | null): void {
+    if (!sheet !== !this.sheet) this.clear();
+    this.sheet = sheet;
+  }
+
+  private clear(): void {
+    this.stones?.drawing.close();
+    this.stones = this.diagram = this.live = this.fading = null;
   }
 
   take(message: EngineToPainter): void {
@@ -41,7 +58,8 @@ export class Scene {
       this.live = { id: message.id, diagram };
       return;
     }
-    const drawing = new StoneDrawing(message.pieces, message.ground, message.scale);
+    const drawing = new StoneDrawing(message);
+    this.stones?.drawing.close();
     this.stones = { drawing, grid: gridOf(message.pieces) };
     if (this.live) {
       this.diagram = this.live.diagram;
@@ -62,7 +80,7 @@ export class Scene {
     this.source = source;
     this.small = null;
     if (old?.width === source.width && old.height === source.height) return;
-    this.stones = this.diagram = this.live = this.fading = null;
+    if (!this.sheet) this.clear();
   }
 
   /** The source over white, in a diagram's size; kept, as a run shows many diagrams of one size. */
@@ -84,7 +102,11 @@ export class Scene {
     if (this.pointer.x < this.look.divider * this.stage.width) return -1;
     const { drawing, grid } = this.stones;
     const p = toPicture(this.view, this.pointer);
-    return pieceAt(drawing.pieces, grid, p.x * drawing.scale, p.y * drawing.scale);
+    for (const [dx, dy] of drawing.around) {
+      const piece = pieceAt(drawing.pieces, grid, p.x * drawing.scale - dx, p.y * drawing.scale - dy);
+      if (piece >= 0) return piece;
+    }
+    return -1;
   }
 
   facts(piece: number): PieceFacts | null {
@@ -103,7 +125,7 @@ export class Scene {
   draw(context: Context, now: number): boolean {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, context.canvas.width, context.canvas.height);
-    if (!this.source || !this.look) return false;
+    if (!this.area || !this.look) return false;
     context.save();
     this.clip(context);
     const again = this.drawBase(context, this.look, now);
@@ -127,7 +149,7 @@ export class Scene {
       again = this.cache.draw(context, this.stones.drawing, this.view, this.stage, this.ratio, now);
     } else if (this.diagram && look.layers.cells) {
       this.overPicture(context, () => this.diagram?.cells(context));
-    } else if (bare || look.layers.source) {
+    } else if ((bare || look.layers.source) && !this.sheet) {
       this.drawSource(context, bare ? 0.35 : 1);
     } else {
       this.overPicture(context, () => {
@@ -191,24 +213,24 @@ export class Scene {
 
   /** A hairline around the picture, which sets white paper off a light stage. */
   private drawFrame(context: Context, look: Look): void {
-    if (!this.source) return;
+    if (!this.area) return;
     const { scale, x, y } = this.view;
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.strokeStyle = look.line;
     context.lineWidth = 1;
-    context.strokeRect(x - 0.5, y - 0.5, this.source.width * scale + 1, this.source.height * scale + 1);
+    context.strokeRect(x - 0.5, y - 0.5, this.area.width * scale + 1, this.area.height * scale + 1);
   }
 
   /** Draws with the picture's area as the unit square. */
   private overPicture(context: Context, draw: () => void): void {
-    if (!this.source) return;
-    const { ratio, view, source } = this;
+    const { ratio, view, area } = this;
+    if (!area) return;
     context.save();
     context.setTransform(
-      ratio * view.scale * source.width,
+      ratio * view.scale * area.width,
       0,
       0,
-      ratio * view.scale * source.height,
+      ratio * view.scale * area.height,
       ratio * view.x,
       ratio * view.y,
     );
@@ -220,14 +242,14 @@ export class Scene {
 
   /** What lies right of the divider, within the picture. */
   private clip(context: Context): void {
-    if (!this.source || !this.look) return;
+    if (!this.area || !this.look) return;
     const { scale, x, y } = this.view;
     const divider = this.look.divider * this.stage.width;
     const left = Math.max(x, divider);
-    const right = x + this.source.width * scale;
+    const right = x + this.area.width * scale;
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.beginPath();
-    context.rect(left, y, Math.max(0, right - left), this.source.height * scale);
+    context.rect(left, y, Math.max(0, right - left), this.area.height * scale);
     context.clip();
   }
 }

@@ -58,8 +58,7 @@ export class StoneCache {
   /** The whole sheet, for what a gesture brings into sight. */
   private drawOverview(context: Context, stones: StoneDrawing, view: View, ratio: number): void {
     if (this.overview?.stones !== stones) this.overview = { stones, canvas: overviewOf(stones) };
-    const { pieces, scale } = stones;
-    const [width, height] = [pieces.width / scale, pieces.height / scale];
+    const { width, height } = stones.size;
     const side = ratio * view.scale;
     context.drawImage(this.overview.canvas, ratio * view.x, ratio * view.y, width * side, height * side);
   }
@@ -77,7 +76,7 @@ function drawFine(context: Context, stones: StoneDrawing, view: View, stage: Siz
 }
 
 function overviewOf(stones: StoneDrawing): OffscreenCanvas {
-  const size = { width: stones.pieces.width / stones.scale, height: stones.pieces.height / stones.scale };
+  const { size } = stones;
   const part = Math.min(1, kOverviewSide / Math.max(size.width, size.height));
   const stage = {
     width: Math.max(1, Math.round(size.width * part)),

@@ -2,7 +2,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { painter } from '../state/page';
-import { entry, picture, technique } from '../state/store';
+import { entry, inputRole, sheet, technique } from '../state/store';
 import { calm, shade } from '../state/theme';
 import { kLayers, type Layer, type Layers } from '../worker/protocol';
 import { fit, panBy, zoomAt, type Point, type Size, type View } from './view';
@@ -14,6 +14,8 @@ export const stageSize = signal<Size>({ width: 1, height: 1 });
 /** What was switched, by technique; else each shows what it shows at first. */
 const switched = signal<Readonly<Record<string, Layers>>>({});
 export const layers = computed(() => switched.value[technique.value] ?? shownAtFirst(entry.value.shown));
+/** There is a picture to compare with, on the same stage. */
+export const comparable = computed(() => inputRole.value !== '' && !entry.value.solid);
 /** Part of the stage that shows the source. */
 export const divider = signal(0);
 
@@ -30,9 +32,9 @@ const shownAtFirst = (shown: readonly Layer[]) =>
   Object.fromEntries(kLayers.map((layer) => [layer, shown.includes(layer)])) as Record<Layer, boolean>;
 
 function move(next: (picture: Size, stage: Size) => View): void {
-  if (!picture.value) return;
+  if (!sheet.value) return;
   fitted.value = false;
-  view.value = next(picture.value, stageSize.value);
+  view.value = next(sheet.value, stageSize.value);
 }
 
 export const pan = (dx: number, dy: number) => move((p, s) => panBy(view.value, dx, dy, p, s));
@@ -44,12 +46,13 @@ export const oneToOne = () => zoomCentre(1 / view.value.scale);
 /** Keeps the painter informed. */
 export function bindViewport(): void {
   effect(() => {
-    if (fitted.value && picture.value) {
+    if (fitted.value && sheet.value) {
       const margin = stageSize.value.width < 600 ? kMargin / 3 : kMargin;
-      view.value = fit(picture.value, stageSize.value, margin);
+      view.value = fit(sheet.value, stageSize.value, margin);
     }
   });
   effect(() => painter.postMessage({ type: 'view', view: view.value }));
+  effect(() => painter.postMessage({ type: 'sheet', sheet: inputRole.value ? null : sheet.value }));
   effect(() => {
     void shade.value; // the styles follow it
     const style = getComputedStyle(document.documentElement);
@@ -58,7 +61,7 @@ export function bindViewport(): void {
       type: 'look',
       look: {
         layers: layers.value,
-        divider: entry.value.solid ? 0 : divider.value,
+        divider: comparable.value ? divider.value : 0,
         accent: colour('--accent'),
         line: colour('--line'),
         calm: calm.value,

@@ -7,13 +7,13 @@ import { changeParams } from './edits';
 import { parseValue, type Params } from './form';
 import { readHash, writeHash, type Address } from './hash';
 import { sampleNamed, useSample } from './pictures';
-import { runSoon } from './runner';
-import { alertWith, edits, entry, fields, freshEdits, params, picture, seed, technique } from './store';
+import { generate, runSoon } from './runner';
+import { alertWith, edits, entry, fields, freshEdits, inputRole, params, picture, seed, technique } from './store';
 import { switchTo } from './tabs';
 
 const kPause = 250; // ms; browsers refuse a page that writes the address at every step of a slider
 
-/** The job that the address names, or the first sample with all defaults. */
+/** The job that the address names, or the first sample with all defaults; without a picture what the parameters say. */
 export async function openAddress(): Promise<void> {
   const address = readHash(location.hash);
   followTechnique(address);
@@ -22,6 +22,7 @@ export async function openAddress(): Promise<void> {
   const fresh = location.hash === '';
   edits.value = freshEdits(fresh ? (sample?.params ?? {}) : known, address.seed ?? 1);
   if (sample) await useSample(sample, true);
+  else if (!inputRole.value) generate();
   if (foreign.length) alertWith(`The address has ${foreign.join(', ')}, which cannot be used here and was left out.`);
 }
 
@@ -45,7 +46,8 @@ function paramsOf(address: Address): { known: Params; foreign: string[] } {
 export function bindAddress(): void {
   let timer = 0;
   effect(() => {
-    const hash = writeHash(technique.value, seed.value, picture.value?.sample ?? null, params.value);
+    const sample = inputRole.value ? (picture.value?.sample ?? null) : null;
+    const hash = writeHash(technique.value, seed.value, sample, params.value);
     clearTimeout(timer);
     timer = window.setTimeout(() => history.replaceState(null, '', hash), kPause);
   });
@@ -53,7 +55,7 @@ export function bindAddress(): void {
     const address = readHash(location.hash);
     followTechnique(address);
     const { known, foreign } = paramsOf(address);
-    const sample = sampleNamed(address.sample);
+    const sample = sampleNamed(address.sample) ?? (picture.value ? undefined : entry.value.samples[0]);
     changeParams(known, address.seed ?? 1);
     if (sample && sample.name !== picture.value?.sample) void useSample(sample, true);
     else runSoon();

@@ -49,7 +49,11 @@ test('nothing drawn, no pictures', async () => {
 });
 
 test('guides are black lines on white, regions their colours on that of the figure, of the size of the picture', async () => {
-  const drawn: Drawn = { guides: [line, line], regions: [{ width: 12, colour: '#0000ff', points: line }] };
+  const drawn: Drawn = {
+    ...kNothingDrawn,
+    guides: [line, line],
+    regions: [{ width: 12, colour: '#0000ff', points: line }],
+  };
   const pictures = await drawnPictures(drawn, size);
   expect(pictures.map(({ role, name }) => [role, name])).toEqual([
     ['edges', 'edges.png'],
@@ -61,13 +65,19 @@ test('guides are black lines on white, regions their colours on that of the figu
   ]);
 });
 
+test('a picture of densities goes as it is', async () => {
+  const density = { name: 'dark.png', blob: new Blob(['x']) };
+  expect(await drawnPictures({ ...kNothingDrawn, density }, size)).toEqual([{ role: 'density', ...density }]);
+  expect(made).toEqual([]);
+});
+
 test('the same drawing is made once, anew for another size or another drawing', async () => {
-  const drawn: Drawn = { guides: [line], regions: [] };
+  const drawn: Drawn = { ...kNothingDrawn, guides: [line], regions: [] };
   const [first] = await drawnPictures(drawn, size);
   const [again] = await drawnPictures({ ...drawn, regions: [] }, size);
   expect(again?.blob).toBe(first?.blob);
   const [larger] = await drawnPictures(drawn, { width: 180, height: 120 });
   expect(larger?.blob).not.toBe(first?.blob);
-  await drawnPictures({ guides: [line], regions: [] }, { width: 180, height: 120 });
+  await drawnPictures({ ...drawn, guides: [line] }, { width: 180, height: 120 });
   expect(made.length).toBe(3);
 });

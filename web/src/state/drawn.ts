@@ -1,4 +1,4 @@
-// What is drawn over a picture, and the pictures that a job takes it as: guide curves and regions of tile sizes.
+// What a job takes besides its picture: guide curves and regions of tile sizes, drawn over it; a picture of densities.
 
 import { smoothPath } from '../stage/curve';
 import type { Point, Size } from '../stage/view';
@@ -10,10 +10,13 @@ export type Guide = readonly Point[];
 export interface Drawn {
   readonly guides: readonly Guide[];
   readonly regions: readonly Stroke[];
+  /** A file that tells where points are many. */
+  readonly density: { readonly name: string; readonly blob: Blob } | null;
 }
 
-export const kNothingDrawn: Drawn = { guides: [], regions: [] };
-export const isNothing = ({ guides, regions }: Drawn) => guides.length === 0 && regions.length === 0;
+export const kNothingDrawn: Drawn = { guides: [], regions: [], density: null };
+export const isNothing = ({ guides, regions, density }: Drawn) =>
+  guides.length === 0 && regions.length === 0 && !density;
 
 /** Colours of the parameter regionSizes as it is by default. */
 export const kRegions = [
@@ -22,9 +25,10 @@ export const kRegions = [
   { title: 'Detail', colour: '#ff00ff' },
 ] as const;
 const kUnpainted = kRegions[1].colour;
+export const kDensity = 'density'; // role and slot
 const kGuideWidth = 3; // px
 
-/** A picture that was drawn. Its role in the job names its slot and, with .png, its file. */
+/** A picture that was drawn. Its role in the job names its slot and, with .png, its file, where it has no name yet. */
 export interface DrawnPicture {
   role: string;
   name: string;
@@ -32,7 +36,7 @@ export interface DrawnPicture {
 }
 
 interface Sheet {
-  of: keyof Drawn;
+  of: 'guides' | 'regions';
   role: string;
   ground: string;
   draw(context: Context2D, drawn: Drawn): void;
@@ -59,7 +63,7 @@ const made = new Map<string, { from: unknown; size: string; picture: DrawnPictur
 
 /** Of the picture's size, none for what is empty. The same again for the same, so that it is sent once only. */
 export async function drawnPictures(drawn: Drawn, { width, height }: Size): Promise<DrawnPicture[]> {
-  const pictures: DrawnPicture[] = [];
+  const pictures: DrawnPicture[] = drawn.density ? [{ role: kDensity, ...drawn.density }] : [];
   for (const { of, role, ground, draw } of kSheets) {
     if (drawn[of].length === 0) continue;
     const size = `${width} ${height}`;

@@ -4,6 +4,7 @@ const runSoon = vi.fn();
 vi.mock('./runner', () => ({ runSoon }));
 vi.mock('tessera-wasm/description', () => ({ schema: { $defs: {} }, techniques: [] }));
 vi.mock('tessera-wasm', () => ({}));
+const { kNothingDrawn } = await import('./drawn');
 const { changeDrawn, changeSeed, dropDrawn, endStep, redo, undo } = await import('./edits');
 const { drawn, edits, freshEdits, seed } = await import('./store');
 
@@ -45,5 +46,5 @@ test('another picture takes nothing over, and has nothing to take back where not
   expect(edits.value.past).toEqual([]);
   changeDrawn({ regions: [{ width: 5, colour: '#0000ff', points: line }] });
   dropDrawn();
-  expect(drawn.value).toEqual({ guides: [], regions: [] });
+  expect(drawn.value).toEqual(kNothingDrawn);
 });

@@ -61,6 +61,11 @@ export function changeDrawn(part: Partial<Drawn>, key = ''): void {
   if (change(key, { drawn: { ...edits.value.present.drawn, ...part } })) runSoon();
 }
 
+/** A picture of densities, or none, with the parameters that make it count; as one step. */
+export function changeDensity(density: Drawn['density'], params: Params): void {
+  if (change('', { drawn: { ...edits.value.present.drawn, density }, params })) runSoon();
+}
+
 /** What was drawn belongs to the picture that it was drawn on. Does not run. */
 export function dropDrawn(): void {
   if (!isNothing(edits.value.present.drawn)) change('', { drawn: kNothingDrawn });

@@ -33,6 +33,13 @@ export type RunEnd =
   | { kind: 'problems'; problems: readonly Problem[] }
   | { kind: 'cancelled' };
 
+interface Running {
+  id: number;
+  end: (end: RunEnd) => void;
+  stopped: () => void;
+  ended?: Promise<RunEnd>;
+}
+
 type Answer = Extract<FromEngine, { id: number }>;
 type Question = Extract<ToEngine, { id: number }>;
 
@@ -59,7 +66,7 @@ export class EngineClient {
   private readonly kept = new Map<string, Picture>(); // by slot
   /** Pictures that the worker is about to open, by the question's number. */
   private readonly opening = new Map<number, Picture>();
-  private running: { id: number; end: (end: RunEnd) => void; stopped: () => void } | null = null;
+  private running: Running | null = null;
 
   constructor(
     private readonly painter: { postMessage(message: ToPainter, transfer?: Transferable[]): void },
@@ -199,7 +206,7 @@ export class EngineClient {
     // Files of an earlier run that are still on their way are not wanted any more.
     this.waiting.delete(this.last);
     const id = (this.last = this.nextId++);
-    return new Promise((resolve) => {
+    const ended = new Promise<RunEnd>((resolve) => {
       let over = false;
       const end = (how: RunEnd) => {
         over = true;
@@ -227,6 +234,8 @@ export class EngineClient {
       });
       this.ask({ type: 'run', id, request });
     });
+    if (this.running) this.running.ended = ended;
+    return ended;
   }
 
   /** One more file of the run that ended last; null where the engine does not have it any more. */
@@ -239,6 +248,12 @@ export class EngineClient {
       });
       this.ask({ type: 'file', id, run: this.last, format });
     });
+  }
+
+  /** Resolves once no run goes on, or after so many milliseconds. */
+  async settled(patience: number): Promise<void> {
+    const { running } = this;
+    if (running) await Promise.race([running.ended, after(patience)]);
   }
 
   /** Resolves once nothing runs any more; the run itself ends as cancelled at once. */

@@ -81,9 +81,18 @@ function fieldOf(key: string, property: ParameterSchema): Field {
   return { ...common, kind: 'number', ...rangeOf(property) };
 }
 
-const kGreek: Readonly<Record<string, string>> = { alpha: 'α', beta: 'β', delta: 'δ', '^2': '²' };
+const kGreek: Readonly<Record<string, string>> = {
+  alpha: 'α',
+  beta: 'β',
+  delta: 'δ',
+  lambda: 'λ',
+  mu: 'μ',
+  Sigma: 'Σ',
+  '^2': '²',
+};
 
-const greek = (symbol: string) => symbol.replace(/alpha|beta|delta|\^2/g, (word) => kGreek[word] ?? word);
+const greek = (symbol: string) =>
+  symbol.replace(/alpha|beta|delta|lambda|mu|Sigma|\^2/g, (word) => kGreek[word] ?? word);
 
 function rangeOf(property: ParameterSchema) {
   const whole = property.type === 'integer';

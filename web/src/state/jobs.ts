@@ -7,7 +7,7 @@ import { client } from './page';
 import { sampleNamed, useSample } from './pictures';
 import { generate } from './runner';
 import { kLabels } from '../worker/protocol';
-import { alerts, alertWith, drawn, fields, inputRole, kSegmenter, labels, picture } from './store';
+import { alerts, alertWith, drawn, entry, fields, inputRole, kSegmenter, labels, picture } from './store';
 import { switchTo } from './tabs';
 
 export async function openJob(file: File): Promise<void> {
@@ -43,10 +43,13 @@ export async function openJob(file: File): Promise<void> {
 
 /** Whether the job was made with what is drawn here now. */
 function sameDrawn(inputs: Readonly<Record<string, string>>): boolean {
-  const { edges, regions, ...others } = inputs;
-  const { guides, regions: strokes } = drawn.value;
+  const { edges, regions, density, ...others } = inputs;
+  const { guides, regions: strokes, density: file } = drawn.value;
   return (
-    !Object.keys(others).length && Boolean(edges) === guides.length > 0 && Boolean(regions) === strokes.length > 0
+    !Object.keys(others).length &&
+    Boolean(edges) === guides.length > 0 &&
+    Boolean(regions) === strokes.length > 0 &&
+    nameOf(density) === file?.name
   );
 }
 
@@ -55,10 +58,12 @@ const nameOf = (path: string | undefined) => path?.split(/[\\/]/).at(-1);
 /** A page cannot open a path; but it may have the picture already, or among its samples. */
 async function findPicture(path: string | undefined): Promise<void> {
   const name = nameOf(path);
-  const sample = name ? sampleNamed(name) : undefined;
   if (!name || name === picture.value?.name) return generate();
+  const sample = sampleNamed(name);
   if (sample) return useSample(sample, true);
-  generate();
+  const [first] = entry.value.samples;
+  if (picture.value || !first) generate();
+  else await useSample(first, true);
   alertWith(
     `The job was made from “${name}”, which a page cannot open by itself: it runs on “${picture.value?.name ?? ''}” ` +
       'for now. Choose that file as the picture.',

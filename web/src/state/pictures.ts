@@ -3,8 +3,21 @@
 import { client } from './page';
 import { forgetOutcome, generate, prepare, stop } from './runner';
 import { kPicture } from '../worker/protocol';
-import { alertWith, edits, entry, opening, picture, run, type PictureInfo } from './store';
-import { changeParams, dropCorrections, dropDrawn } from './edits';
+import { kDensity } from './drawn';
+import { changeDensity, changeParams, dropCorrections, dropDrawn } from './edits';
+import {
+  alertWith,
+  edits,
+  entry,
+  inputRole,
+  known,
+  opening,
+  params,
+  picture,
+  run,
+  technique,
+  type PictureInfo,
+} from './store';
 import type { Sample } from '../techniques/entry';
 
 /** The engine's formats that carry a job, and what people call them. */
@@ -12,9 +25,14 @@ export const isJobFile = (file: File) => /\.(json|svg)$/i.test(file.name) || /js
 
 let newest = 0;
 
-/** True where the picture was taken and is to run; else an alert says why not, and everything stays as it was. */
+/**
+ * True where the picture was taken and is to run; else an alert says why not, and everything stays as it was. Where
+ * another tab was opened meanwhile, it is taken, but is none of that tab's.
+ */
 async function take(fetched: Blob | Promise<Blob>, name: string, sample: string | null): Promise<boolean> {
   const mine = ++newest;
+  const { value: asked } = technique;
+  const here = () => technique.value === asked;
   opening.value = true;
   const stopped = stop();
   prepare('picture');
@@ -24,12 +42,12 @@ async function take(fetched: Blob | Promise<Blob>, name: string, sample: string 
     const size = await client.setPicture(kPicture, name, blob);
     if (mine !== newest) return false;
     const old = picture.value;
-    if (old?.width !== size.width || old.height !== size.height) forgetOutcome();
+    if (here() && (old?.width !== size.width || old.height !== size.height)) forgetOutcome();
     picture.value = { name, sample, width: size.width, height: size.height } satisfies PictureInfo;
-    return run.value !== null; // else cancelled meanwhile
+    return here() && run.value !== null; // else cancelled meanwhile
   } catch (error) {
     if (mine === newest) {
-      run.value = null;
+      if (here()) run.value = null;
       alertWith(error instanceof Error ? error.message : String(error));
     }
     return false;
@@ -38,11 +56,25 @@ async function take(fetched: Blob | Promise<Blob>, name: string, sample: string 
   }
 }
 
+/** The technique's picture; where it needs none, one that tells where points are many. */
 export async function usePicture(blob: Blob, name: string): Promise<void> {
+  if (!inputRole.value) return useDensity(blob, name);
   if (!(await take(blob, name, null))) return;
   dropDrawn();
   dropCorrections();
   generate();
+}
+
+async function useDensity(blob: Blob, name: string): Promise<void> {
+  const role = known.value?.inputs.find((input) => input.name === kDensity);
+  if (!role) return;
+  try {
+    await client.setPicture(kDensity, name, blob);
+  } catch (error) {
+    return alertWith(error instanceof Error ? error.message : String(error));
+  }
+  const all = { ...params.value, [role.parameter]: role.chosen };
+  changeDensity({ name, blob }, entry.value.forDensity?.(all) ?? all);
 }
 
 /** What a sample wants comes with it, and goes with it: four colours for a picture in four. `keep`: it does not. */

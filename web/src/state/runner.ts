@@ -6,7 +6,6 @@ import { schema } from 'tessera-wasm/description';
 import { kLabels, kPicture } from '../worker/protocol';
 import { drawnPictures, type DrawnPicture } from './drawn';
 import { endingOf, fileKinds } from './files';
-import { valueOf } from './form';
 import type { Size } from '../stage/view';
 import { client } from './page';
 import { reducedJob, reductionFor } from './reduce';
@@ -16,6 +15,7 @@ import {
   backend,
   byLabels,
   clearAlerts,
+  currentParams,
   drawn,
   entry,
   fields,
@@ -25,16 +25,17 @@ import {
   notice,
   opening,
   outcome,
-  params,
   picture,
   problems,
   run,
   seed,
+  sheet,
   technique,
   type FileLink,
 } from './store';
 
 const kPause = 150; // ms of peace before a changed parameter runs
+const kShort = 250; // ms; a run that needs no more comes to its end before the next one
 
 let newest = 0;
 let timer = 0;
@@ -45,9 +46,9 @@ function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
     schemaVersion: 1,
     technique: technique.value,
     seed: seed.value,
-    params: Object.fromEntries(fields.value.map((field) => [field.key, valueOf(field, params.value)])),
+    params: currentParams(),
     inputs: {
-      ...(picture.value && { [inputRole.value]: picture.value.name }),
+      ...(inputRole.value && picture.value && { [inputRole.value]: picture.value.name }),
       ...(byLabels.value && labels.value && { [kLabels]: labels.value.name }),
       ...Object.fromEntries(drawnOnes.map(({ role, name }) => [role, name])),
     },
@@ -64,15 +65,21 @@ export function prepare(stage = ''): void {
   });
 }
 
-/** After a change of a parameter: soon, and where the picture is large on a smaller copy first. */
+/** A picture that is to be the job's is on its way; it runs as soon as it is there. */
+const waits = () => opening.value && inputRole.value !== '';
+
+/**
+ * After a change of a parameter: soon, and where the picture is large on a smaller copy first. Without a picture at
+ * once, as pieces come while a slider is dragged.
+ */
 export function runSoon(): void {
-  if (opening.value) return prepare('picture');
+  if (waits()) return prepare('picture');
   prepare();
-  timer = window.setTimeout(() => void start(true), kPause);
+  timer = window.setTimeout(() => void start(true), inputRole.value ? kPause : 0);
 }
 
 export function generate(): void {
-  if (opening.value) return prepare('picture');
+  if (waits()) return prepare('picture');
   prepare();
   void start(false);
 }
@@ -92,15 +99,18 @@ export function cancel(): void {
 
 async function start(quick: boolean): Promise<void> {
   const mine = ++newest;
+  if (quick && !inputRole.value) await client.settled(kShort); // else a drag would show none but its last
+  if (mine !== newest) return;
   await client.cancel();
   if (mine !== newest) return;
-  if (!picture.value) {
+  const { value: size } = sheet;
+  if (!size) {
     run.value = null;
     return;
   }
   let drawnOnes: DrawnPicture[];
   try {
-    drawnOnes = await takeDrawn(picture.value);
+    drawnOnes = await takeDrawn(size);
   } catch (error) {
     if (mine !== newest) return;
     run.value = null;
@@ -108,7 +118,7 @@ async function start(quick: boolean): Promise<void> {
   }
   if (mine !== newest) return;
   const job = currentJob(drawnOnes);
-  const part = quick && !entry.value.solid ? reductionFor(picture.value.width, picture.value.height) : 1;
+  const part = quick && inputRole.value && !entry.value.solid ? reductionFor(size.width, size.height) : 1;
   if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part, []))) return;
   await attempt(mine, job, 1, drawnOnes);
 }
@@ -143,7 +153,7 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   const inputs = Object.fromEntries(
     Object.keys(job.inputs).map((role) => [role, role === inputRole.value ? kPicture : role]),
   );
-  const baseName = baseNameOf(pictureName(), job.technique);
+  const baseName = baseNameOf(subjectOf(job), job.technique);
   const end = await client.run(
     { job, inputs, backend: backend.value, scale, formats, pieces: entry.value.solid },
     {
@@ -179,16 +189,19 @@ export async function demandFile(format: string): Promise<FileLink | null> {
   if (before) return before;
   const blob = await client.makeFile(format);
   if (outcome.value?.job !== wanted.job) return null;
-  if (blob) addFile(format, { blob, name: `${baseNameOf(pictureName(), wanted.job.technique)}.${endingOf(format)}` });
+  if (blob)
+    addFile(format, { blob, name: `${baseNameOf(subjectOf(wanted.job), wanted.job.technique)}.${endingOf(format)}` });
   else notice.value = 'Generate once more to make this file';
   return outcome.value.files[format] ?? null;
 }
 
-const pictureName = () => picture.value?.name ?? 'drawing';
+/** What a job is made of, by name: its picture, or the parameter that stands in for one. */
+const subjectOf = ({ params }: Job): string =>
+  inputRole.value ? (picture.value?.name ?? 'drawing') : String(params[known.value?.subject ?? ''] ?? '');
 
-/** "coast-mosaic" of coast.png. */
-function baseNameOf(pictureName: string, name: string): string {
-  const stem = pictureName.replace(/\.[^.]*$/, '');
+/** "coast-mosaic" of coast.png, "hexagon-pattern". */
+function baseNameOf(subject: string, name: string): string {
+  const stem = subject.replace(/\.[^.]*$/, '');
   return stem === name ? stem : `${stem}-${name}`;
 }
 

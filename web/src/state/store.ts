@@ -9,7 +9,7 @@ import { entryOf } from '../techniques/index';
 import type { Size } from '../stage/view';
 import type { Backend, ColourCount, EngineInfo, Graphics, PieceFacts } from '../worker/protocol';
 import type { Pieces } from '../worker/pieces';
-import { fieldsOf, type Params } from './form';
+import { fieldsOf, valueOf, type Params } from './form';
 import { kNothingDrawn, type Drawn } from './drawn';
 import { historyOf, type History } from './history';
 
@@ -94,7 +94,19 @@ export const seed = computed(() => edits.value.present.seed);
 export const drawn = computed(() => edits.value.present.drawn);
 /** The engine's word on the technique. */
 export const known = computed(() => techniques.find((t) => t.name === technique.value));
-export const inputRole = computed(() => known.value?.inputs[0]?.name ?? 'drawing');
+/** What the technique calls the picture that it is made of; empty where it needs none. */
+export const inputRole = computed(() => known.value?.inputs.find(({ required }) => required)?.name ?? '');
+/** The size of pieces without a picture: of those which are shown, so that a sheet grows together with them. */
+const sheetSize = computed<Size>(() => {
+  const { width, height } = outcome.value?.job.params ?? currentParams();
+  return { width: Math.max(1, Number(width)), height: Math.max(1, Number(height)) };
+});
+/** What lies on the stage, px: the picture, or where none is needed a sheet as large as the parameters say. */
+export const sheet = computed(() => (inputRole.value ? picture.value : sheetSize.value));
+
+/** Every parameter's value. */
+export const currentParams = (): Params =>
+  Object.fromEntries(fields.value.map((field) => [field.key, valueOf(field, params.value)]));
 
 export const alertWith = (...messages: string[]): void => {
   alerts.value = messages;

@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import { dropCorrections, dropDrawn } from './edits';
 import { sampleNamed, useSample } from './pictures';
 import { forgetOutcome, generate } from './runner';
-import { edits, entry, freshEdits, picture, problems, technique, tool, type PictureInfo } from './store';
+import { edits, entry, freshEdits, inputRole, picture, problems, technique, tool, type PictureInfo } from './store';
 
 /** What each tab was left with. */
 const left = new Map<string, { edits: typeof edits.value; picture: PictureInfo | null }>();
@@ -26,6 +26,7 @@ export async function openTab(name: string): Promise<void> {
   if (name === technique.value) return;
   switchTo(name);
   const before = left.get(name);
+  if (!inputRole.value) return generate();
   if (picture.value && picture.value.sample === null) {
     if (before?.picture !== picture.value) {
       dropDrawn();

@@ -43,6 +43,16 @@ export interface TechniqueEntry {
   solid: boolean;
   /** Parameters that are not folded away, where the engine's word on that is not this page's. */
   front?: readonly string[];
+  /** A choice that is made by its pictures, in models/. */
+  pictured?: string;
+  /** What people call a value of it, where that is not the value itself. */
+  titles?: Readonly<Record<string, string>>;
+  /** Whether a parameter changes anything, as the others are; all do where this is missing. */
+  matters?(key: string, params: Params): boolean;
+  /** What the colours of a list are for; empty where they are all alike. */
+  colourNames?(params: Params): readonly string[];
+  /** Parameters with which a picture of densities tells something. */
+  forDensity?(params: Params): Params;
   /** Choices of parameters that need what a page does not have. */
   without?: Readonly<Record<string, readonly string[]>>;
   samples: readonly Sample[];

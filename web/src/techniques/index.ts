@@ -1,8 +1,9 @@
 // The tabs, in order. A technique that the engine does not have yet is shown, and says so.
 
 import type { TechniqueEntry } from './entry';
-import { ParquetryIcon, PatternIcon } from './icons';
+import { ParquetryIcon } from './icons';
 import { mosaic } from './mosaic';
+import { pattern } from './pattern';
 import { pavement } from './pavement';
 import { pebbles } from './pebbles';
 
@@ -26,7 +27,7 @@ export const techniques: readonly TechniqueEntry[] = [
   pavement,
   mosaic,
   pebbles,
-  planned('pattern', 'Pattern', 'Random patterns by their mathematics.', PatternIcon),
+  pattern,
   planned('parquetry', 'Parquetry', 'A picture cut from real wood.', ParquetryIcon),
 ];
 

@@ -5,6 +5,7 @@ import type { ParameterValue } from 'tessera-wasm';
 import { changeValue, endStep } from '../state/edits';
 import { valueOf, type ChoiceField, type Field as FieldModel, type NumberField } from '../state/form';
 import { params, problems } from '../state/store';
+import { ColoursEditor } from './ColoursEditor';
 import { PaletteEditor } from './PaletteEditor';
 
 interface ControlProps<F extends FieldModel> {
@@ -49,7 +50,10 @@ export function Field({ field }: { field: FieldModel }) {
         />
       )}
       {field.kind === 'text' && field.key === 'palette' && <PaletteEditor field={field} value={value} ties={ties} />}
-      {field.kind === 'text' && field.key !== 'palette' && (
+      {field.kind === 'text' && field.key === 'colors' && (
+        <ColoursEditor field={field} value={String(value)} ties={ties} />
+      )}
+      {field.kind === 'text' && !['palette', 'colors'].includes(field.key) && (
         <input
           id={id}
           type="text"

@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { Check, Contrast, FolderOpen, Moon, Redo2, Share2, Sun, Undo2 } from 'lucide-preact';
 import { redo, undo } from '../state/edits';
 import { openJob } from '../state/jobs';
-import { alertWith, edits, entry } from '../state/store';
+import { alertWith, edits, entry, inputRole } from '../state/store';
 import { kThemes, theme } from '../state/theme';
 
 export function Header() {
@@ -12,7 +12,7 @@ export function Header() {
       <div class="title">
         <h1>{entry.value.title}</h1>
         <p>
-          {entry.value.sentence} <span>Drop your own picture anywhere.</span>
+          {entry.value.sentence} {inputRole.value && <span>Drop your own picture anywhere.</span>}
         </p>
       </div>
       <div class="actions" role="toolbar" aria-label="Job">

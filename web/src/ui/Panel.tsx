@@ -1,7 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { ChevronUp, Play, Square } from 'lucide-preact';
 import { cancel, generate } from '../state/runner';
-import { opening, picture, run } from '../state/store';
+import { inputRole, opening, run, sheet } from '../state/store';
+import { DensityInput } from './DensityInput';
+import { ModelChoice } from './ModelChoice';
 import { Parameters, Presets } from './Parameters';
 import { PictureInput } from './PictureInput';
 
@@ -22,7 +24,7 @@ export function Panel() {
           Parameters
         </button>
         <div class="run-buttons">
-          <button type="button" class="button primary" disabled={!picture.value && !opening.value} onClick={generate}>
+          <button type="button" class="button primary" disabled={!sheet.value && !opening.value} onClick={generate}>
             <Play size={16} aria-hidden />
             Generate
           </button>
@@ -33,9 +35,11 @@ export function Panel() {
         </div>
       </div>
       <div class="panel-body" id="panel-body">
-        <PictureInput />
+        {inputRole.value && <PictureInput />}
+        <ModelChoice />
         <Presets />
         <Parameters />
+        {!inputRole.value && <DensityInput />}
       </div>
     </aside>
   );

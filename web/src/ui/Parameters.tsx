@@ -2,7 +2,7 @@ import { Dices } from 'lucide-preact';
 import { changeSeed, choosePreset, endStep } from '../state/edits';
 import { sameParams, type Field as FieldModel } from '../state/form';
 import { seedOf } from '../state/hash';
-import { backend, entry, fields, graphics, params, seed } from '../state/store';
+import { backend, entry, fields, graphics, params, problems, seed } from '../state/store';
 import { generate } from '../state/runner';
 import type { Backend } from '../worker/protocol';
 import { Field, Help } from './Field';
@@ -32,10 +32,13 @@ export function Presets() {
 }
 
 export function Parameters() {
-  const { front } = entry.value;
+  const { front, pictured, matters } = entry.value;
+  const isShown = ({ key }: FieldModel) =>
+    key !== pictured && (!matters || matters(key, params.value) || key in problems.value);
   const isSimple = ({ key, advanced }: FieldModel) => (front ? front.includes(key) : !advanced);
-  const simple = fields.value.filter(isSimple);
-  const advanced = fields.value.filter((field) => !isSimple(field));
+  const shown = fields.value.filter(isShown);
+  const simple = shown.filter(isSimple);
+  const advanced = shown.filter((field) => !isSimple(field));
   return (
     <section class="group" aria-labelledby="parameters-title">
       <h2 id="parameters-title">Parameters</h2>

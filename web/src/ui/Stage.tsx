@@ -1,10 +1,10 @@
 import type { ComponentType } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { painter } from '../state/page';
-import { entry, outcome, picture, tool } from '../state/store';
+import { entry, inputRole, outcome, picture, tool } from '../state/store';
 import { listenToGestures } from '../stage/gestures';
 import { toPicture } from '../stage/view';
-import { stageSize, view } from '../stage/viewport';
+import { comparable, stageSize, view } from '../stage/viewport';
 import { toggleAt } from '../state/pebbles';
 import type { Tool } from '../techniques/entry';
 import { Divider } from './Divider';
@@ -38,7 +38,7 @@ export function Stage() {
         <ToolHere />
       ) : (
         <>
-          {!solid && <Divider />}
+          {comparable.value && <Divider />}
           <LayerSwitches />
           <PieceLabel />
         </>
@@ -89,5 +89,6 @@ function StageCanvas() {
 function description(): string {
   const { value: done } = outcome;
   const facts = done ? `: ${entry.value.facts(done.result).join(', ')}` : '';
-  return `${entry.value.title} of ${picture.value?.name ?? 'nothing yet'}${facts}`;
+  const of = inputRole.value ? ` of ${picture.value?.name ?? 'nothing yet'}` : '';
+  return `${entry.value.title}${of}${facts}`;
 }

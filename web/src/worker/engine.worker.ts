@@ -1,8 +1,17 @@
 // The engine's thread. Calls into it block until they are done; what happens meanwhile is posted from its callbacks.
 
-import { createTessera, TesseraError, type Iteration, type Picture, type Problem, type Tessera } from 'tessera-wasm';
+import {
+  createTessera,
+  TesseraError,
+  type Iteration,
+  type Job,
+  type Picture,
+  type Problem,
+  type RunResult,
+  type Tessera,
+} from 'tessera-wasm';
 import { open, PictureError, scaled, type Opened } from './decode';
-import { countColours, parsePieces, transferable } from './pieces';
+import { countColours, noPieces, parsePieces, transferable } from './pieces';
 import {
   kLabels,
   kPicture,
@@ -18,6 +27,10 @@ const kPreviewPixels = 600_000;
 const kPreviewSites = 16_000;
 const kPreviewPause = 33; // ms
 const kPreviewShare = 8; // of the time, at most one in so many parts goes into previews
+const kManyPieces = 50_000;
+const kSmallPiece = 3; // px²
+const kLull = 250; // ms before files are made that take long, as others may be wanted by then
+const kNoGround = '#96928a';
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
 let engine: Tessera | undefined;
@@ -36,7 +49,7 @@ interface Held {
 const tell = (message: FromEngine) => scope.postMessage(message);
 const show = (message: EngineToPainter, transfer: Transferable[]) => painter?.postMessage(message, transfer);
 /** Lets messages in that have come meanwhile. */
-const breathe = () => new Promise<void>((resolve) => setTimeout(resolve));
+const breathe = (milliseconds = 0) => new Promise<void>((resolve) => setTimeout(resolve, milliseconds));
 
 const problemsOf = (error: unknown): readonly Problem[] =>
   error instanceof TesseraError
@@ -115,18 +128,39 @@ async function run(id: number, request: RunRequest): Promise<void> {
       onIteration: previewer(id, request.scale),
     });
     const milliseconds = performance.now() - begin;
-    const svg = engine.artifact('svg').bytes;
-    const pieces = parsePieces(engine.artifact('json').bytes);
-    const ground = kGround.exec(new TextDecoder().decode(svg.subarray(0, 8192)))?.[1] ?? '#96928a';
-    const colours = countColours(pieces);
-    tell({ type: 'done', id, result, milliseconds, colours, pieces: request.pieces ? pieces : null });
-    show({ type: 'pieces', id, pieces, ground, scale: request.scale }, transferable(pieces));
+    const noise = isNoise(result);
+    const face = noise || result.retouched ? await createImageBitmap(blobOf(engine, 'png')) : null;
+    const pieces = noise ? sheetOf(request.job) : parsePieces(engine.artifact('json').bytes);
+    const ground = noise ? kNoGround : groundOf(engine);
+    tell({
+      type: 'done',
+      id,
+      result,
+      milliseconds,
+      colours: countColours(pieces),
+      pieces: request.pieces ? pieces : null,
+    });
+    const seamless = request.job.params['seamless'] === true;
+    show(
+      { type: 'pieces', id, pieces, ground, scale: request.scale, seamless, face },
+      face ? [...transferable(pieces), face] : transferable(pieces),
+    );
+    if (noise) await breathe(kLull);
     if (request.scale === 1) await makeFiles(engine, id, request.formats);
     if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }
 }
+
+/** Pieces so many and so small that their picture is all there is to see. */
+const isNoise = ({ counts, metrics }: RunResult) =>
+  (counts['cells'] ?? 0) > kManyPieces && (metrics['area_mean'] ?? Infinity) < kSmallPiece;
+
+const sheetOf = ({ params }: Job) => noPieces(Number(params['width']), Number(params['height']));
+
+const groundOf = (tessera: Tessera) =>
+  kGround.exec(new TextDecoder().decode(tessera.artifact('svg').bytes.subarray(0, 8192)))?.[1] ?? kNoGround;
 
 /** About thirty previews a second, fewer where they cost much, and always the last one, which stays to be looked at. */
 function previewer(id: number, scale: number): (iteration: Iteration) => void {

@@ -24,6 +24,18 @@ test('rings are open and lie one after another', () => {
   expect([...pieces.points.slice(0, 8)]).toEqual([0, 0, 10, 0, 10, 10, 0, 10]);
 });
 
+test('a point is a dot of its area', () => {
+  const lines = [
+    '{"type":"FeatureCollection","bbox":[0,0,20,10],"features":[',
+    '{"type":"Feature","properties":{"id":"point-1","colour":"#000000","area":28.274,"vertices":24,"orientation":0},' +
+      '"geometry":{"type":"Point","coordinates":[8,5]}}',
+    ']}',
+  ];
+  const { count, points, ringStarts } = parsePieces(new TextEncoder().encode(lines.join('\n')));
+  expect([count, ...ringStarts]).toEqual([1, 0, 16]);
+  for (let k = 0; k < 16; ++k) expect(Math.hypot(points[2 * k]! - 8, points[2 * k + 1]! - 5)).toBeCloseTo(3, 3);
+});
+
 test('a sheet without pieces is empty, not an error', () => {
   const empty = '{"type":"FeatureCollection","bbox":[0,0,7,5],"features":[\n]}\n';
   expect(parsePieces(new TextEncoder().encode(empty))).toMatchObject({ width: 7, height: 5, count: 0 });
@@ -31,7 +43,7 @@ test('a sheet without pieces is empty, not an error', () => {
 
 test('colours are counted, the most first', () => {
   const palette = ['#000000', '#ffffff', '#ff0000'];
-  expect(countColours({ palette, colours: new Uint16Array([1, 2, 1, 0, 1, 2]) })).toEqual([
+  expect(countColours({ palette, colours: new Uint32Array([1, 2, 1, 0, 1, 2]) })).toEqual([
     { colour: '#ffffff', count: 3 },
     { colour: '#ff0000', count: 2 },
     { colour: '#000000', count: 1 },

@@ -18,7 +18,7 @@ export interface Pieces {
   points: Float32Array;
   palette: string[];
   /** Index into palette. */
-  colours: Uint16Array;
+  colours: Uint32Array;
   areas: Float32Array;
   vertices: Uint16Array;
   /** Degrees, 0 to 180, x towards y. */
@@ -31,8 +31,11 @@ interface Feature {
   properties: { id: string; colour: string; area: number; vertices: number; orientation: number } & Readonly<
     Record<string, unknown>
   >;
-  geometry: { coordinates: [number, number][][] };
+  geometry: { type: 'Polygon'; coordinates: Ring[] } | { type: 'Point'; coordinates: Place };
 }
+
+type Place = [number, number];
+type Ring = Place[];
 
 const kNewline = 10;
 /** Of every sheet; the others are the technique's. */
@@ -57,10 +60,14 @@ export function parsePieces(json: Uint8Array): Pieces {
   return packPieces(features, bbox[2] ?? 0, bbox[3] ?? 0);
 }
 
+/** A sheet whose pieces nobody looks at one by one. */
+export const noPieces = (width: number, height: number): Pieces => packPieces([], width, height);
+
 function packPieces(features: readonly Feature[], width: number, height: number): Pieces {
   const count = features.length;
-  const rings = features.reduce((sum, f) => sum + f.geometry.coordinates.length, 0);
-  const points = features.reduce((sum, f) => f.geometry.coordinates.reduce((s, r) => s + r.length - 1, sum), 0);
+  const outlines = features.map(outlineOf);
+  const rings = outlines.reduce((sum, outline) => sum + outline.length, 0);
+  const points = outlines.reduce((sum, outline) => outline.reduce((s, r) => s + r.length - 1, sum), 0);
   const palette = new Map<string, number>();
   const pieces: Pieces = {
     width,
@@ -72,7 +79,7 @@ function packPieces(features: readonly Feature[], width: number, height: number)
     ringStarts: new Uint32Array(rings + 1),
     points: new Float32Array(2 * points),
     palette: [],
-    colours: new Uint16Array(count),
+    colours: new Uint32Array(count),
     areas: new Float32Array(count),
     vertices: new Uint16Array(count),
     orientations: new Float32Array(count),
@@ -80,14 +87,14 @@ function packPieces(features: readonly Feature[], width: number, height: number)
   };
   let ring = 0;
   let point = 0;
-  features.forEach(({ properties, geometry }, i) => {
+  features.forEach(({ properties }, i) => {
     pieces.ids[i] = Number(properties.id.slice(pieces.kind.length + 1));
     if (!palette.has(properties.colour)) palette.set(properties.colour, palette.size);
     pieces.colours[i] = palette.get(properties.colour) ?? 0;
     pieces.areas[i] = properties.area;
     pieces.vertices[i] = properties.vertices;
     pieces.orientations[i] = properties.orientation;
-    for (const coordinates of geometry.coordinates) {
+    for (const coordinates of outlines[i]!) {
       // GeoJSON repeats a ring's first point at its end.
       for (const [x, y] of coordinates.slice(0, -1)) {
         pieces.points[2 * point] = x;
@@ -100,6 +107,20 @@ function packPieces(features: readonly Feature[], width: number, height: number)
   });
   pieces.palette = [...palette.keys()];
   return pieces;
+}
+
+const kDotCorners = 16;
+
+/** Rings, which repeat their first place at their end. A point is drawn as a dot of its area. */
+function outlineOf({ geometry, properties }: Feature): Ring[] {
+  if (geometry.type === 'Polygon') return geometry.coordinates;
+  const [x, y] = geometry.coordinates;
+  const radius = Math.sqrt(properties.area / Math.PI);
+  const corner = (k: number): Place => {
+    const angle = (2 * Math.PI * k) / kDotCorners;
+    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+  };
+  return [Array.from({ length: kDotCorners + 1 }, (_, k) => corner(k))];
 }
 
 function columnsOf(features: readonly Feature[]): Record<string, Float32Array> {

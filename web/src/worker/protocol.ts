@@ -1,7 +1,7 @@
 // What the page, the engine's worker and the painter's worker say to each other.
 
 import type { Job, Preview, Problem, RunResult } from 'tessera-wasm';
-import type { Point, View } from '../stage/view';
+import type { Point, Size, View } from '../stage/view';
 import type { Pieces } from './pieces';
 
 export type Backend = 'auto' | 'cpu' | 'gl';
@@ -74,11 +74,23 @@ export type FromEngine =
   | { type: 'file'; id: number; format: string; blob: Blob }
   | { type: 'job'; id: number; job: Job };
 
-/** Straight from the engine's worker to the painter's: pixels do not pass through the page. `id` is the run's. */
+/**
+ * Straight from the engine's worker to the painter's: pixels do not pass through the page. `id` is the run's. Pieces of a
+ * seamless sheet stick out of it, and come in at the other side. `face`: what is seen of them, where that is more than
+ * themselves.
+ */
 export type EngineToPainter =
   | { type: 'source'; bitmap: ImageBitmap; width: number; height: number }
   | { type: 'preview'; id: number; preview: Preview; scale: number }
-  | { type: 'pieces'; id: number; pieces: Pieces; ground: string; scale: number };
+  | {
+      type: 'pieces';
+      id: number;
+      pieces: Pieces;
+      ground: string;
+      scale: number;
+      seamless: boolean;
+      face: ImageBitmap | null;
+    };
 
 export const kLayers = ['source', 'edges', 'direction', 'sites', 'cells', 'outlines', 'stones'] as const;
 export type Layer = (typeof kLayers)[number];
@@ -99,6 +111,8 @@ export type ToPainter =
   | { type: 'engine'; port: MessagePort }
   | { type: 'stage'; width: number; height: number; ratio: number }
   | { type: 'view'; view: View }
+  /** There is no picture: pieces lie on a sheet of this size. Null: on the picture. */
+  | { type: 'sheet'; sheet: Size | null }
   | { type: 'look'; look: Look }
   | { type: 'point'; at: Point | null }
   /** Forget runs up to this one that have not come to an end. */

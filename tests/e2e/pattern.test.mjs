@@ -1,0 +1,244 @@
+// The Pattern tab as people use it: no picture is needed.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { closeBrowser, withApp } from './browser/app.mjs';
+import { checkLook, looks } from './browser/looks.mjs';
+import { inFolder, nativeFile, nativeSvg } from './native.mjs';
+import { root } from './root.mjs';
+import { assertSameStones } from './same_stones.mjs';
+
+after(closeBrowser);
+
+/** The tab with what it begins with done. */
+const withPattern = (options, use) =>
+  withApp({ isolated: true, hash: '#technique=pattern', ...options }, async (app, page) => {
+    await app.finished();
+    await use(app, page);
+  });
+
+const jobOf = async (app) => JSON.parse((await app.download('job')).text);
+const piecesIn = (svg) => [...svg.matchAll(/<path /g)].length;
+
+/** Red, green, blue at places of a PNG, parts of its width and height. */
+const coloursAt = (page, png, places) =>
+  page.evaluate(
+    async ([bytes, places]) => {
+      const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))]));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d', { willReadFrequently: true });
+      context.drawImage(bitmap, 0, 0);
+      return places.map(([u, v]) => {
+        const [x, y] = [Math.floor(u * bitmap.width), Math.floor(v * bitmap.height)];
+        return [...context.getImageData(x, y, 1, 1).data].slice(0, 3);
+      });
+    },
+    [png.toString('base64'), places],
+  );
+
+/** Until another run than before is done; most are over before one could see them going on. */
+async function change(app, act) {
+  const link = app.link('Download job');
+  const before = (await link.count()) ? await link.getAttribute('href') : '';
+  await act();
+  await app.page.waitForFunction((old) => {
+    const now = document.querySelector('a[aria-label="Download job"]');
+    return now && now.getAttribute('href') !== old;
+  }, before);
+  await app.finished();
+}
+
+const choose = (app, model) => change(app, () => app.button(model).click());
+
+for (const isolated of [true, false]) {
+  const build = isolated ? 'threads' : 'single';
+
+  test(`${build}: patterns without a picture, the same as the native program's`, async () => {
+    await withPattern({ isolated }, async (app, page) => {
+      assert.equal((await app.threads()) > 1, isolated);
+      for (const [model, kind] of [['Occupancy', 'cell'], ['Johnson-Mehl', 'cell'], ['Ellipses', 'bomb'], ['Points', 'point']]) {
+        if (model !== 'Occupancy') await choose(app, model);
+        const svg = await app.download('SVG');
+        const job = await app.download('job');
+        assert.deepEqual(JSON.parse(job.text).inputs, {});
+        assert.equal(svg.name, `${model.toLowerCase().replace(' ', '-')}-pattern.svg`);
+        const count = piecesIn(svg.text);
+        const told = await page.locator('.bar-text strong').textContent();
+        assert.equal(told, `${count.toLocaleString('en')} ${kind}s`);
+        await inFolder((folder) => assertSameStones(svg.text, nativeSvg(folder, job.text, {})));
+      }
+      await choose(app, 'Hexagon');
+      const count = piecesIn((await app.download('SVG')).text);
+      assert.match((await app.download('DXF')).text, /^\s*0\r?\nSECTION[\s\S]*EOF\s*$/);
+      const job = await app.download('job');
+      const png = (await app.download('PNG')).bytes;
+      await inFolder((folder) => assert.ok(png.equals(nativeFile(folder, job.text, {}, 'png')), 'not the native picture'));
+      await app.button('More downloads').click();
+      assert.equal(JSON.parse((await app.download('GeoJSON')).text).features.length, count);
+      assert.equal((await app.download('CSV')).text.trim().split('\n').length, count + 1);
+      assert.equal((await app.demand('GLB')).text.slice(0, 4), 'glTF');
+    });
+  });
+
+  test(`${build}: pieces come while a slider is dragged`, async () => {
+    await withPattern({ isolated }, async (app, page) => {
+      const slider = page.getByRole('slider', { name: 'Size' });
+      const box = await slider.boundingBox();
+      const places = [0.35, 0.5, 0.7, 0.9].map((part) => [box.x + part * box.width, box.y + box.height / 2]);
+      const counts = new Set();
+      await page.mouse.move(box.x + 0.2 * box.width, places[0][1]);
+      await page.mouse.down();
+      for (const place of places) {
+        await change(app, () => page.mouse.move(...place, { steps: 5 }));
+        counts.add(await page.locator('.bar-text strong').textContent());
+      }
+      await page.mouse.up();
+      assert.equal(counts.size, places.length);
+      const dragged = (await jobOf(app)).params.size;
+      assert.ok(dragged > 100, String(dragged));
+      await change(app, () => app.button('Undo').click()); // the whole drag
+      assert.equal((await jobOf(app)).params.size, 24);
+    });
+  });
+}
+
+test('a job is opened again, shared by its address, undone', async () => {
+  await inFolder(async (folder) => {
+    await withPattern({}, async (app, page) => {
+      await choose(app, 'Circles');
+      await change(app, () => app.set('Length', 33));
+      await change(app, () => app.button('Roll the dice for another seed').click());
+      const job = await app.download('job');
+      const svg = await app.download('SVG');
+      assert.equal(JSON.parse(job.text).params.length, 33);
+      await page.waitForURL(/model=circles/);
+      await page.reload();
+      await app.finished();
+      assert.deepEqual(await jobOf(app), JSON.parse(job.text));
+      for (const file of [job, svg]) {
+        writeFileSync(join(folder, file.name), file.text);
+        await choose(app, 'Delaunay');
+        await change(app, () => app.openJob(join(folder, file.name)));
+        assert.deepEqual(await jobOf(app), JSON.parse(job.text));
+        assert.equal((await app.download('SVG')).text, svg.text);
+      }
+      await change(app, () => app.button('Undo').click());
+      assert.equal((await jobOf(app)).params.model, 'delaunay');
+      await change(app, () => app.button('Redo').click());
+      assert.equal((await jobOf(app)).params.model, 'circles');
+      await change(app, () => page.evaluate(() => void (location.hash = '#technique=pattern&model=hexagon&size=9')));
+      const { model, size } = (await jobOf(app)).params;
+      assert.deepEqual({ model, size }, { model: 'hexagon', size: 9 });
+    });
+  });
+});
+
+test('other tabs keep their picture, and have one where this was opened first', async () => {
+  const coast = join(root, 'public/samples/coast.png');
+  await withPattern({}, async (app, page) => {
+    assert.equal(await page.getByRole('slider', { name: 'Before and after' }).count(), 0);
+    await app.openTab('Pavement');
+    assert.deepEqual((await jobOf(app)).inputs, { drawing: 'waves.png' });
+    await app.openTab('Mosaic');
+    await change(app, () => app.open(coast));
+    await change(app, () => page.getByRole('tab', { name: 'Pattern' }).click());
+    assert.deepEqual((await jobOf(app)).inputs, {});
+    await change(app, () => page.getByRole('tab', { name: 'Mosaic' }).click());
+    assert.deepEqual((await jobOf(app)).inputs, { photo: 'coast.png' });
+    await app.button('Fit').click();
+    await page.getByRole('slider', { name: 'Before and after' }).press('End');
+    const middle = [[0.5, 0.5]];
+    const [seen] = await coloursAt(page, await page.locator('.stage-canvas').screenshot(), middle);
+    const [own] = await coloursAt(page, readFileSync(coast), middle);
+    assert.ok(own.every((level, c) => Math.abs(level - seen[c]) < 16), `${seen} on the stage, ${own} in the photo`);
+  });
+});
+
+test('a tab left while its sample comes does not disturb this one', async () => {
+  await withApp({ isolated: true, hash: '#technique=pattern' }, async (app, page) => {
+    await app.finished();
+    let release;
+    const held = new Promise((go) => (release = go));
+    await page.route('**/samples/waves.png', async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.getByRole('tab', { name: 'Pavement' }).click();
+    await change(app, () => page.getByRole('tab', { name: 'Pattern' }).click());
+    release();
+    await choose(app, 'Triangle');
+    assert.equal((await jobOf(app)).params.model, 'triangle');
+    await app.openTab('Pavement');
+    assert.deepEqual((await jobOf(app)).inputs, { drawing: 'waves.png' });
+  });
+});
+
+test('a seamless sheet shows at one side what sticks out at the other', async () => {
+  const hash = '#technique=pattern&model=circles&size=60&length=80&width=256&height=256&seamless=true';
+  await withPattern({ hash, reducedMotion: 'reduce' }, async (app, page) => {
+    const png = (await app.download('PNG')).bytes;
+    await app.button('True size, 1:1').click();
+    await page.mouse.move(5, 5);
+    const box = await page.locator('.stage-canvas').boundingBox();
+    const [x, y] = [box.x + box.width / 2 - 128, box.y + box.height / 2 - 128];
+    const along = Array.from({ length: 60 }, (_, i) => (i + 0.5) / 60);
+    const sides = [0.02, 0.98].flatMap((at) => along.flatMap((v) => [[at, v], [v, at]]));
+    const made = await coloursAt(page, png, sides);
+    assert.ok(new Set(made.map(String)).size > 1);
+    let differing;
+    for (let i = 0; i < 10 && !(differing < 12); ++i) {
+      // until the crisp drawing is there
+      const seen = await coloursAt(page, await page.screenshot({ clip: { x, y, width: 256, height: 256 } }), sides);
+      differing = seen.filter((colour, k) => colour.some((level, c) => Math.abs(level - made[k][c]) > 80)).length;
+    }
+    assert.ok(differing < 12, `${differing} of ${sides.length} places along the sides differ`);
+  });
+});
+
+test('colours are added, changed and removed with their shares', async () => {
+  await withPattern({}, async (app, page) => {
+    await change(app, () => page.getByLabel('Colour 1', { exact: true }).fill('#00aa00'));
+    assert.match((await app.download('SVG')).text, /fill="#00aa00"/);
+    await change(app, () => app.button('Add a colour').click());
+    assert.equal((await jobOf(app)).params.colors, '#00aa00 #e4dbcb #22313f #7a8f94 #7a8f94');
+    await page.locator('.more summary').click();
+    await change(app, () => page.getByRole('textbox', { name: 'Probabilities' }).fill('1 1 1 1 4'));
+    await change(app, () => app.button('Remove colour 2').click());
+    const { colors, probabilities } = (await jobOf(app)).params;
+    assert.deepEqual([colors, probabilities], ['#00aa00 #22313f #7a8f94 #7a8f94', '1 1 1 4']);
+  });
+});
+
+test('only parameters that matter are shown, and what is wrong is told at its field', async () => {
+  await withPattern({}, async (app, page) => {
+    const shown = (name) => page.getByRole('spinbutton', { name, exact: false });
+    assert.equal(await shown('Length').count(), 0);
+    await choose(app, 'Rectangles');
+    assert.equal(await shown('Length').count(), 1);
+    assert.equal(await shown('Border').count(), 0);
+    await page.getByRole('textbox', { name: 'Colors' }).fill('red');
+    await page.getByText(/is no list of 1 to 256 colours/).first().waitFor();
+    await change(app, () => page.getByRole('textbox', { name: 'Colors' }).fill('#f00 #fff'));
+    assert.equal(await page.getByRole('alert').count(), 0);
+  });
+});
+
+test('a picture tells where points are many', async () => {
+  const picture = join(root, 'public/samples/waves.png');
+  await withPattern({}, async (app) => {
+    await change(app, () => app.open(picture));
+    const svg = await app.download('SVG');
+    const job = await app.download('job');
+    const { inputs, params } = JSON.parse(job.text);
+    assert.deepEqual([inputs, params.process], [{ density: 'waves.png' }, 'cox']);
+    await inFolder((folder) => assertSameStones(svg.text, nativeSvg(folder, job.text, { density: readFileSync(picture) })));
+    await change(app, () => app.button('Undo').click());
+    assert.deepEqual((await jobOf(app)).inputs, {});
+  });
+});
+
+for (const { name, ...look } of looks) {
+  test(`${name}: axe finds no serious violation on the pattern's tab`, async () => {
+    await withPattern(look, (_, page) => checkLook(page, `pattern-${name}`));
+  });
+}

@@ -1,0 +1,90 @@
+import { Plus, X } from 'lucide-preact';
+import { changeValue, changeValues, endStep } from '../state/edits';
+import {
+  coloursText,
+  kMostColours,
+  partsOf,
+  readColours,
+  sharesText,
+  withColour,
+  withNewColour,
+  withoutColour,
+  type ColourList,
+} from '../state/colours';
+import type { TextField } from '../state/form';
+import { entry, params } from '../state/store';
+import { percent } from '../techniques/facts';
+
+interface Props {
+  field: TextField;
+  value: string;
+  ties: { 'aria-describedby': string; 'aria-invalid': boolean };
+}
+
+const kShares = 'probabilities';
+
+/** A text that is a list of colours: a patch of each, and the text itself for those who have one to paste. */
+export function ColoursEditor({ field, value, ties }: Props) {
+  const list = readColours(value, String(params.value[kShares] ?? ''));
+  return (
+    <>
+      {list && <Patches list={list} field={field} />}
+      <input
+        id={`field-${field.key}`}
+        type="text"
+        value={value}
+        onInput={(event) => changeValue(field, event.currentTarget.value)}
+        onChange={endStep}
+        {...ties}
+      />
+    </>
+  );
+}
+
+function Patches({ list, field }: { list: ColourList; field: TextField }) {
+  const names = entry.value.colourNames?.(params.value) ?? [];
+  const parts = partsOf(list);
+  const nameOf = (i: number) => names[i] ?? (names.length ? 'Unused colour' : `Colour ${i + 1}`);
+  const change = (next: ColourList) => {
+    changeValues({ [field.key]: coloursText(next), [kShares]: sharesText(next) });
+    endStep();
+  };
+  return (
+    <ul class="patches" aria-label={field.title}>
+      {list.colours.map((colour, i) => (
+        <li key={i} title={`${nameOf(i)}: ${colour}${names.length ? '' : `, ${percent.format(parts[i]!)} of all`}`}>
+          <input
+            type="color"
+            aria-label={nameOf(i)}
+            value={colour}
+            onInput={(event) => changeValue(field, coloursText(withColour(list, i, event.currentTarget.value)))}
+            onChange={endStep}
+          />
+          {list.colours.length > 1 && (
+            <button
+              type="button"
+              class="patch-remove"
+              aria-label={`Remove ${nameOf(i).toLowerCase()}`}
+              onClick={() => change(withoutColour(list, i))}
+            >
+              <X size={12} aria-hidden />
+            </button>
+          )}
+        </li>
+      ))}
+      {list.colours.length < kMostColours && (
+        <li>
+          <button
+            type="button"
+            class="patch-add"
+            aria-label="Add a colour"
+            title="Add a colour"
+            onClick={() => change(withNewColour(list, list.colours.at(-1)!))}
+          >
+            <Plus size={16} aria-hidden />
+          </button>
+        </li>
+      )}
+    </ul>
+  );
+}
