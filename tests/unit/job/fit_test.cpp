@@ -27,13 +27,14 @@ patterns::Params params_of(Model model) {
   return params;
 }
 
-// A lattice's side is in each of its cells; some hundred random cells tell their density to some percent.
+// A lattice's side is in each of its cells; some hundred random cells tell their density to some percent, 68 lines
+// to 12.
 TEST(FitTest, NamesTheModelThatMadeThePictureAndItsNumber) {
   struct Case {
     Model model;
     double number, tolerance;
   };
-  const Case cases[] = {{Model::kPoissonLines, 1 / (12 * std::sqrt(kPi)), 0.15},
+  const Case cases[] = {{Model::kPoissonLines, 1 / (12 * std::sqrt(kPi)), 0.3},
                         {Model::kOccupancy, 1 / 144.0, 0.15},
                         {Model::kDelaunay, 1 / 288.0, 0.15},
                         {Model::kJohnsonMehl, 7.02e-4, 0.2},
