@@ -56,27 +56,17 @@ for (const isolated of [true, false]) {
   test(`${build}: patterns without a picture, the same as the native program's`, async () => {
     await withPattern({ isolated }, async (app, page) => {
       assert.equal((await app.threads()) > 1, isolated);
-      for (const [model, kind] of [['Occupancy', 'cell'], ['Johnson-Mehl', 'cell'], ['Ellipses', 'bomb'], ['Points', 'point']]) {
+      const models = [['Occupancy', 'cell'], ['Johnson-Mehl', 'cell'], ['Ellipses', 'bomb'], ['Points', 'point']];
+      for (const [model, kind] of models) {
         if (model !== 'Occupancy') await choose(app, model);
         const svg = await app.download('SVG');
         const job = await app.download('job');
         assert.deepEqual(JSON.parse(job.text).inputs, {});
-        assert.equal(svg.name, `${model.toLowerCase().replace(' ', '-')}-pattern.svg`);
-        const count = piecesIn(svg.text);
+        assert.equal(svg.name, `${model.toLowerCase()}-pattern.svg`);
         const told = await page.locator('.bar-text strong').textContent();
-        assert.equal(told, `${count.toLocaleString('en')} ${kind}s`);
+        assert.equal(told, `${piecesIn(svg.text).toLocaleString('en')} ${kind}s`);
         await inFolder((folder) => assertSameStones(svg.text, nativeSvg(folder, job.text, {})));
       }
-      await choose(app, 'Hexagon');
-      const count = piecesIn((await app.download('SVG')).text);
-      assert.match((await app.download('DXF')).text, /^\s*0\r?\nSECTION[\s\S]*EOF\s*$/);
-      const job = await app.download('job');
-      const png = (await app.download('PNG')).bytes;
-      await inFolder((folder) => assert.ok(png.equals(nativeFile(folder, job.text, {}, 'png')), 'not the native picture'));
-      await app.button('More downloads').click();
-      assert.equal(JSON.parse((await app.download('GeoJSON')).text).features.length, count);
-      assert.equal((await app.download('CSV')).text.trim().split('\n').length, count + 1);
-      assert.equal((await app.demand('GLB')).text.slice(0, 4), 'glTF');
     });
   });
 
@@ -101,6 +91,27 @@ for (const isolated of [true, false]) {
     });
   });
 }
+
+test('files of every kind; noise is shown, too', async () => {
+  const hash = '#technique=pattern&model=hexagon&variation=within';
+  await withPattern({ hash }, async (app, page) => {
+    const count = piecesIn((await app.download('SVG')).text);
+    assert.match((await app.download('DXF')).text, /^\s*0\r?\nSECTION[\s\S]*EOF\s*$/);
+    const samePicture = async () => {
+      const job = await app.download('job');
+      const png = (await app.download('PNG')).bytes;
+      await inFolder((folder) => assert.ok(png.equals(nativeFile(folder, job.text, {}, 'png')), 'another picture'));
+    };
+    await samePicture();
+    await app.button('More downloads').click();
+    assert.equal(JSON.parse((await app.download('GeoJSON')).text).features.length, count);
+    assert.equal((await app.download('CSV')).text.trim().split('\n').length, count + 1);
+    assert.equal((await app.demand('GLB')).text.slice(0, 4), 'glTF');
+    await change(app, () => page.evaluate(() => void (location.hash = '#technique=pattern&model=gaussian&width=256&height=256')));
+    await page.getByText('65,536 cells', { exact: true }).first().waitFor();
+    await samePicture();
+  });
+});
 
 test('a job is opened again, shared by its address, undone', async () => {
   await inFolder(async (folder) => {

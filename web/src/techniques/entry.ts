@@ -49,8 +49,8 @@ export interface TechniqueEntry {
   titles?: Readonly<Record<string, string>>;
   /** Whether a parameter changes anything, as the others are; all do where this is missing. */
   matters?(key: string, params: Params): boolean;
-  /** What the colours of a list are for; empty where they are all alike. */
-  colourNames?(params: Params): readonly string[];
+  /** What the first colours of a list are for, and no others are used; null where all are alike. */
+  colourNames?(params: Params): readonly string[] | null;
   /** Parameters with which a picture of densities tells something. */
   forDensity?(params: Params): Params;
   /** Choices of parameters that need what a page does not have. */

@@ -51,8 +51,11 @@ function matters(key: string, params: Params): boolean {
 }
 
 /** Bombs and points have a colour, and their ground another. */
-const colourNames = (params: Params): readonly string[] =>
-  kBombs.includes(modelOf(params)) ? ['Bombs', 'Ground'] : modelOf(params) === 'points' ? ['Points', 'Ground'] : [];
+function colourNames(params: Params): readonly string[] | null {
+  const model = modelOf(params);
+  if (model === 'points') return ['Points', 'Ground'];
+  return kBombs.includes(model) ? ['Bombs', 'Ground'] : null;
+}
 
 /** With points for it to tell of. */
 const forDensity = (params: Params): Params =>
@@ -73,7 +76,7 @@ export const pattern: TechniqueEntry = {
   title: 'Pattern',
   sentence: 'Random patterns by their mathematics.',
   icon: PatternIcon,
-  pieces: 'cells',
+  pieces: 'pieces',
   tools: [],
   layers: ['outlines', 'stones'],
   shown: ['stones'],

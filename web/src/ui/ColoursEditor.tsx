@@ -42,25 +42,24 @@ export function ColoursEditor({ field, value, ties }: Props) {
 }
 
 function Patches({ list, field }: { list: ColourList; field: TextField }) {
-  const names = entry.value.colourNames?.(params.value) ?? [];
+  const names = entry.value.colourNames?.(params.value);
+  const shown = names ? list.colours.slice(0, names.length) : list.colours;
   const parts = partsOf(list);
-  const nameOf = (i: number) => names[i] ?? (names.length ? 'Unused colour' : `Colour ${i + 1}`);
+  const nameOf = (i: number) => names?.[i] ?? `Colour ${i + 1}`;
   const change = (next: ColourList) => {
     changeValues({ [field.key]: coloursText(next), [kShares]: sharesText(next) });
     endStep();
   };
   return (
     <ul class="patches" aria-label={field.title}>
-      {list.colours.map((colour, i) => (
-        <li key={i} title={`${nameOf(i)}: ${colour}${names.length ? '' : `, ${percent.format(parts[i]!)} of all`}`}>
-          <input
-            type="color"
-            aria-label={nameOf(i)}
-            value={colour}
-            onInput={(event) => changeValue(field, coloursText(withColour(list, i, event.currentTarget.value)))}
-            onChange={endStep}
+      {shown.map((colour, i) => (
+        <li key={i} title={`${nameOf(i)}: ${colour}${names ? '' : `, ${percent.format(parts[i]!)} of all`}`}>
+          <Patch
+            label={nameOf(i)}
+            colour={colour}
+            change={(next) => changeValue(field, coloursText(withColour(list, i, next)))}
           />
-          {list.colours.length > 1 && (
+          {!names && list.colours.length > 1 && (
             <button
               type="button"
               class="patch-remove"
@@ -72,7 +71,7 @@ function Patches({ list, field }: { list: ColourList; field: TextField }) {
           )}
         </li>
       ))}
-      {list.colours.length < kMostColours && (
+      {list.colours.length < (names?.length ?? kMostColours) && (
         <li>
           <button
             type="button"
@@ -86,5 +85,39 @@ function Patches({ list, field }: { list: ColourList; field: TextField }) {
         </li>
       )}
     </ul>
+  );
+}
+
+interface PatchProps {
+  label: string;
+  colour: string;
+  change(colour: string): void;
+}
+
+const Patch = ({ label, colour, change }: PatchProps) => (
+  <input
+    type="color"
+    aria-label={label}
+    value={colour}
+    onInput={(event) => change(event.currentTarget.value)}
+    onChange={endStep}
+  />
+);
+
+/** A text that is one colour. */
+export function ColourEditor({ field, value, ties }: Props) {
+  const [colour] = readColours(value, '')?.colours ?? [];
+  return (
+    <div class="patches single">
+      {colour && <Patch label={field.title} colour={colour} change={(next) => changeValue(field, next)} />}
+      <input
+        id={`field-${field.key}`}
+        type="text"
+        value={value}
+        onInput={(event) => changeValue(field, event.currentTarget.value)}
+        onChange={endStep}
+        {...ties}
+      />
+    </div>
   );
 }

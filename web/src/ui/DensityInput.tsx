@@ -17,9 +17,10 @@ export function DensityInput() {
           Image
         </label>
       </div>
-      <p class="picture-name">
-        {density ? density.name : 'None is needed. Dark places of one get many points.'}
-        {density && (
+      {!density && <p class="picture-hint">None is needed. Points are many where one is dark.</p>}
+      {density && (
+        <p class="picture-name">
+          {density.name}
           <button
             type="button"
             class="tool"
@@ -29,8 +30,8 @@ export function DensityInput() {
           >
             <X size={15} aria-hidden />
           </button>
-        )}
-      </p>
+        </p>
+      )}
     </section>
   );
 }

@@ -3,9 +3,9 @@ import { CircleHelp } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
 import type { ParameterValue } from 'tessera-wasm';
 import { changeValue, endStep } from '../state/edits';
-import { valueOf, type ChoiceField, type Field as FieldModel, type NumberField } from '../state/form';
+import { valueOf, type ChoiceField, type Field as FieldModel, type NumberField, type TextField } from '../state/form';
 import { params, problems } from '../state/store';
-import { ColoursEditor } from './ColoursEditor';
+import { ColourEditor, ColoursEditor } from './ColoursEditor';
 import { PaletteEditor } from './PaletteEditor';
 
 interface ControlProps<F extends FieldModel> {
@@ -49,20 +49,7 @@ export function Field({ field }: { field: FieldModel }) {
           {...ties}
         />
       )}
-      {field.kind === 'text' && field.key === 'palette' && <PaletteEditor field={field} value={value} ties={ties} />}
-      {field.kind === 'text' && field.key === 'colors' && (
-        <ColoursEditor field={field} value={String(value)} ties={ties} />
-      )}
-      {field.kind === 'text' && !['palette', 'colors'].includes(field.key) && (
-        <input
-          id={id}
-          type="text"
-          value={String(value)}
-          onInput={(event) => changeValue(field, event.currentTarget.value)}
-          onChange={endStep}
-          {...ties}
-        />
-      )}
+      {field.kind === 'text' && <TextControl field={field} value={value} ties={ties} />}
       {problem && (
         <p id={`${id}-problem`} class="field-problem">
           {problem}
@@ -157,6 +144,25 @@ function NumberControl({ field, value, ties }: ControlProps<NumberField>) {
         {field.unit && <span class="unit">{field.unit}</span>}
       </span>
     </div>
+  );
+}
+
+const kColour = /^#[0-9a-f]{6}$/i;
+
+function TextControl({ field, value, ties }: ControlProps<TextField>) {
+  if (field.key === 'palette') return <PaletteEditor field={field} value={value} ties={ties} />;
+  const text = String(value);
+  if (field.key === 'colors') return <ColoursEditor field={field} value={text} ties={ties} />;
+  if (kColour.test(field.fallback)) return <ColourEditor field={field} value={text} ties={ties} />;
+  return (
+    <input
+      id={`field-${field.key}`}
+      type="text"
+      value={text}
+      onInput={(event) => changeValue(field, event.currentTarget.value)}
+      onChange={endStep}
+      {...ties}
+    />
   );
 }
 
