@@ -61,10 +61,13 @@ function Done({ outcome: { result, milliseconds } }: { outcome: Outcome }) {
       {others.map((fact) => (
         <span key={fact}>{fact}</span>
       ))}
-      <span class="bar-time">{seconds.format(milliseconds / 1000)} s</span>
+      <span class="bar-time">{duration(milliseconds)}</span>
     </>
   );
 }
+
+const duration = (milliseconds: number) =>
+  milliseconds < 95 ? `${Math.max(1, Math.round(milliseconds))} ms` : `${seconds.format(milliseconds / 1000)} s`;
 
 const Waiting = () => <span>{notice.value || 'Ready'}</span>;
 
