@@ -96,6 +96,7 @@ for (const isolated of [true, false]) {
       assert.deepEqual(framesOf((await app.demand('animation')).bytes), [5, 5]);
       await app.set('Iterations', 900);
       await app.running();
+      await page.waitForFunction(() => document.querySelector('[role=progressbar]')?.ariaValueNow > 5); // in the engine
       await app.button('Cancel').click(); // which folds "More" away
       await app.button('More downloads').click();
       await app.button('Download GLB').click();
