@@ -130,18 +130,27 @@ class Builder {
   Ring cell(int own) const {
     const Nucleus& nucleus = nuclei_[own];
     Envelope envelope(std::max(bound_ - nucleus.head_start, 1e-9 * bound_) + 1e-6 * bound_);
-    const auto add = [&](int other, Point) {
-      if (other != own) envelope.add(other, border_between(nucleus, nuclei_[other]));
-      return true;
-    };
-    grid_.each_near(nucleus.place, near_, add);
+    add_near(own, 0, near_, envelope);
     // A nucleus that cuts the cell is no farther than twice its reach and the other's lead.
     const double reach = 2 * envelope.reach() + nucleus.head_start;
-    if (reach > near_) grid_.each_near(nucleus.place, reach, add);
+    if (reach > near_) add_near(own, near_, reach, envelope);
     return outline(own, envelope);
   }
 
  private:
+  // Nuclei whose distance is above `from`, up to `to`, the nearest first: the others then mostly reach nothing.
+  void add_near(int own, double from, double to, Envelope& envelope) const {
+    const Nucleus& nucleus = nuclei_[own];
+    std::vector<std::pair<double, int>> others;
+    grid_.each_near(nucleus.place, to, [&](int other, Point place) {
+      const double away = length(place - nucleus.place);
+      if (other != own && away > from) others.emplace_back(away, other);
+      return true;
+    });
+    std::sort(others.begin(), others.end());
+    for (const auto& [away, other] : others) envelope.add(other, border_between(nucleus, nuclei_[other]));
+  }
+
   // Beginning at the first corner clockwise of x: which arc comes first, the envelope leaves to the last bit.
   Ring outline(int own, const Envelope& envelope) const {
     const auto& arcs = envelope.arcs();
