@@ -110,15 +110,19 @@ const ColourClass& draw_class(const ColourModel& model, Rng& rng) {
   return model.back();
 }
 
-Rgb draw_colour(const ColourClass& of, Rgb mean, Rng& rng) {
-  Vector3 noise;
-  for (double& n : noise) n = draw_normal(rng);
+Rgb varied_colour(const ColourClass& of, Rgb mean, const Vector3& noise) {
   const auto channel = [&](std::uint8_t level, std::size_t k) {
     double value = level;
     for (std::size_t m = 0; m <= k; ++m) value += of.root[k][m] * noise[m];
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
   };
   return {channel(mean.r, 0), channel(mean.g, 1), channel(mean.b, 2)};
+}
+
+Rgb draw_colour(const ColourClass& of, Rgb mean, Rng& rng) {
+  Vector3 noise;
+  for (double& n : noise) n = draw_normal(rng);
+  return varied_colour(of, mean, noise);
 }
 
 }  // namespace tessera::patterns

@@ -34,7 +34,9 @@ struct ColourProblem {
 std::vector<ColourProblem> read_colours(const ColourTexts& texts, ColourModel& model);
 
 const ColourClass& draw_class(const ColourModel& model, Rng& rng);
-// About `mean` as the class varies, within 0..255.
+// About `mean` as the class varies, within 0..255; `noise` are three numbers of variance 1.
+Rgb varied_colour(const ColourClass& of, Rgb mean, const Vector3& noise);
+// The same with noise of its own.
 Rgb draw_colour(const ColourClass& of, Rgb mean, Rng& rng);
 
 }  // namespace tessera::patterns

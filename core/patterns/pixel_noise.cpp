@@ -27,13 +27,7 @@ std::vector<Rgb> correlated_colours(const ColourClass& of, double correlation, c
   for (double y = window.low.y; y < window.high.y; ++y)
     for (double x = window.low.x; x < window.high.x; ++x) {
       const Point p{x + 0.5, y + 0.5};
-      const double noise[] = {fields[0].at(p), fields[1].at(p), fields[2].at(p)};
-      const auto channel = [&](std::uint8_t level, std::size_t k) {
-        double value = level;
-        for (std::size_t m = 0; m <= k; ++m) value += of.root[k][m] * noise[m];
-        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-      };
-      colours.push_back({channel(of.mean.r, 0), channel(of.mean.g, 1), channel(of.mean.b, 2)});
+      colours.push_back(varied_colour(of, of.mean, {fields[0].at(p), fields[1].at(p), fields[2].at(p)}));
     }
   return colours;
 }
