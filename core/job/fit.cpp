@@ -25,7 +25,7 @@ using patterns::Model;
 using statistics::Classes;
 
 constexpr double kWantedSpacing = 10;  // px between borders of the reduced picture
-constexpr int kLargestSide = 600;      // px, of what marks are taken from
+constexpr int kLargestSide = 800;      // px, of what marks are taken from
 constexpr int kNeedles = 60000;        // a length, of the picture itself
 constexpr int kMarkNeedles = 15000;    // a length, for marks
 constexpr int kOwnPictures = 5;        // of each model
@@ -75,6 +75,23 @@ Curve measured_curve(const Labels& labels, double spacing, int needles, Rng& rng
   const cv::Mat1i map = cv::Mat1i(labels.map);
   for (const double agree : statistics::same_cell(map, curve.lengths, needles, rng))
     curve.values.push_back((agree - labels.by_chance) / (1 - labels.by_chance));
+  return curve;
+}
+
+// The same by all pairs of pixels at short distances: where W(d) tells most of how many cells there are, and without
+// the chance of needles. Directions are enough for those of lattices to even out.
+Curve short_curve(const Labels& labels, double spacing) {
+  constexpr int kDirections = 24;
+  Curve curve;
+  for (const double part : {0.2, 0.4, 0.6}) {
+    for (int k = 0; k < kDirections; ++k) {
+      const SinCos turn = sin_cos(k * kPi / kDirections);
+      const cv::Point offset(cvRound(part * spacing * turn.cos), cvRound(part * spacing * turn.sin));
+      const double agree = statistics::agreement(labels.map, offset);
+      curve.lengths.push_back(length({static_cast<double>(offset.x), static_cast<double>(offset.y)}));
+      curve.values.push_back((agree - labels.by_chance) / (1 - labels.by_chance));
+    }
+  }
   return curve;
 }
 
@@ -148,14 +165,15 @@ double number_of(const CellModel& model, double cells) {
   }
 }
 
+bool is_lattice(const CellModel& model) { return statistics::typical_cell(model.form, 1).area_variance == 0; }
+
 patterns::Params params_of(const CellModel& model, double cells, double width, double height) {
   patterns::Params params;
   params.model = model.model;
   params.width = width;
   params.height = height;
   const double number = number_of(model, cells);
-  const bool is_lattice = statistics::typical_cell(model.form, 1).area_variance == 0;
-  (is_lattice ? params.size : params.intensity) = number;
+  (is_lattice(model) ? params.size : params.intensity) = number;
   return params;
 }
 
@@ -203,27 +221,57 @@ Form form_of(const CellModel& model) {
 
 // ---- Marks
 
+using Marks = std::vector<double>;
+
 // Marks of the borders, then W(d) at the same lengths: figures by which models differ.
-std::vector<double> marks_of(const Labels& labels, double spacing, Rng& rng) {
+Marks marks_of(const Labels& labels, double spacing, Rng& rng) {
   const cv::Rect part(0, 0, std::min(labels.map.cols, kLargestSide), std::min(labels.map.rows, kLargestSide));
-  std::vector<double> marks = statistics::border_marks(labels.map(part).clone(), spacing);
+  Marks marks = statistics::border_marks(labels.map(part).clone(), spacing);
   for (const double w : measured_curve(labels, spacing, kMarkNeedles, rng).values) marks.push_back(w);
   return marks;
 }
 
-struct Moments {
-  std::vector<double> mean, variance;
-};
-Moments moments_of(const std::vector<std::vector<double>>& samples) {
-  const std::size_t n = samples[0].size();
-  Moments m{std::vector<double>(n, 0), std::vector<double>(n, 0)};
-  for (const auto& sample : samples)
-    for (std::size_t k = 0; k < n; ++k) m.mean[k] += sample[k] / static_cast<double>(samples.size());
-  for (const auto& sample : samples)
-    for (std::size_t k = 0; k < n; ++k)
-      m.variance[k] += (sample[k] - m.mean[k]) * (sample[k] - m.mean[k]) / static_cast<double>(samples.size() - 1);
-  return m;
+Marks mean_of(const std::vector<Marks>& samples) {
+  Marks mean(samples[0].size(), 0);
+  for (const Marks& sample : samples)
+    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += sample[k] / static_cast<double>(samples.size());
+  return mean;
 }
+
+// How far marks are apart, in standard deviations of a mark on average (Mahalanobis). Five pictures of a model are
+// few to tell how its marks vary together: all models' are pooled, and what two marks share counts for less.
+class Nearness {
+ public:
+  // Of each model the marks of its own pictures.
+  explicit Nearness(const std::vector<std::vector<Marks>>& own) {
+    constexpr double kShared = 0.7, kLeast = 1e-5;
+    const int n = static_cast<int>(own[0][0].size());
+    covariance_ = cv::Mat1d::zeros(n, n);
+    double freedom = 0;
+    for (const std::vector<Marks>& samples : own) {
+      const Marks mean = mean_of(samples);
+      for (const Marks& sample : samples) {
+        const cv::Mat1d off = cv::Mat1d(sample, true) - cv::Mat1d(mean, true);
+        covariance_ += off * off.t();
+      }
+      freedom += static_cast<double>(samples.size()) - 1;
+    }
+    covariance_ /= freedom;
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < n; ++k)
+        covariance_(i, k) = i == k ? covariance_(i, k) + kLeast : kShared * covariance_(i, k);
+  }
+
+  double distance(const Marks& a, const Marks& b) const {
+    const cv::Mat1d off = cv::Mat1d(a, true) - cv::Mat1d(b, true);
+    cv::Mat1d weighed;
+    cv::solve(covariance_, off, weighed, cv::DECOMP_CHOLESKY);
+    return std::sqrt(off.dot(weighed) / static_cast<double>(a.size()));
+  }
+
+ private:
+  cv::Mat1d covariance_;
+};
 
 // Classes change only at whole multiples of one step, in both directions, and as often as by chance: noise.
 int noise_step(const Classes& classes) {
@@ -283,37 +331,31 @@ Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunC
   const double seen = std::max((1 - agree) / kShort, 1e-6), spacing = 1 / seen;
   const double border = seen / (1 - labels.by_chance) * kPi / 2;
   const Curve curve = measured_curve(labels, spacing, kNeedles, rng);
-  const std::vector<double> marks = marks_of(labels, spacing, rng);
+  const Curve close = short_curve(labels, spacing);
+  const Marks marks = marks_of(labels, spacing, rng);
 
   context.stage("models");
-  std::vector<Moments> moments;
+  std::vector<std::vector<Marks>> own;  // of each model's own pictures
   Fit fit;
   std::vector<double> densities;
   for (const CellModel& model : kModels) {
     const Form form = form_of(model);
     const double guess = (border / model.border) * (border / model.border);
-    const double cells = nearest_density(curve, form, guess);
+    // A lattice comes again and again: its W(d) tells the side best where it has waves.
+    const double cells = nearest_density(is_lattice(model) ? curve : close, form, guess);
     fit.candidates.push_back({model.model, 0, 0, residual_of(curve, form, cells)});
     densities.push_back(cells);
-    std::vector<std::vector<double>> own;
+    own.emplace_back();
     for (int k = 0; k < kOwnPictures; ++k) {
       if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
-      own.push_back(marks_of(own_picture(model, cells, labels, seed + static_cast<std::uint64_t>(k)), spacing, rng));
+      own.back().push_back(
+          marks_of(own_picture(model, cells, labels, seed + static_cast<std::uint64_t>(k)), spacing, rng));
     }
-    moments.push_back(moments_of(own));
-    context.progress(static_cast<double>(moments.size()) / std::size(kModels));
+    context.progress(static_cast<double>(own.size()) / std::size(kModels));
   }
-  // Deviations of all models together: five pictures of one are few to tell its own.
-  std::vector<double> pooled(marks.size(), 1e-5);
-  for (const Moments& m : moments)
-    for (std::size_t k = 0; k < pooled.size(); ++k) pooled[k] += m.variance[k] / static_cast<double>(moments.size());
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < marks.size(); ++k) {
-      const double off = marks[k] - moments[i].mean[k];
-      sum += off * off / pooled[k] / static_cast<double>(marks.size());
-    }
-    fit.candidates[i].distance = std::sqrt(sum);
+  const Nearness nearness(own);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    fit.candidates[i].distance = nearness.distance(marks, mean_of(own[i]));
     fit.candidates[i].number = number_of(kModels[i], densities[i] / (labels.factor * labels.factor));
   }
   const auto best = std::min_element(fit.candidates.begin(), fit.candidates.end(),

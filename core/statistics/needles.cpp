@@ -151,6 +151,20 @@ std::vector<double> same_cell(const cv::Mat1i& cells, const std::vector<double>&
   return all;
 }
 
+double agreement(const cv::Mat1b& labels, cv::Point offset) {
+  const cv::Rect picture({0, 0}, labels.size());
+  const cv::Rect from = picture & (picture - offset);
+  if (from.empty()) return 1;
+  std::int64_t agreeing = 0;
+  for (int y = from.y; y < from.y + from.height; ++y) {
+    const std::uint8_t *a = labels.ptr(y) + from.x, *b = labels.ptr(y + offset.y) + from.x + offset.x;
+    int of_row = 0;
+    for (int x = 0; x < from.width; ++x) of_row += a[x] == b[x];
+    agreeing += of_row;
+  }
+  return static_cast<double>(agreeing) / from.area();
+}
+
 std::vector<double> patch_widths(const Classes& classes) {
   std::vector<double> sums(classes.colours.size(), 0), counts(classes.colours.size(), 0);
   each_run_of(classes.labels, [&](int label, int length, bool whole) {

@@ -39,6 +39,10 @@ std::vector<NeedleStatistics> throw_needles(const ImageView& picture, const Clas
 // W(d) of cells whose numbers the pixels are.
 std::vector<double> same_cell(const cv::Mat1i& cells, const std::vector<double>& distances, int needles, Rng& rng);
 
+// The chance that two pixels so far apart have one label, of all pairs with both in the picture; 1 where there are
+// none.
+double agreement(const cv::Mat1b& labels, cv::Point offset);
+
 // Mean length of a class's runs along rows and columns that do not touch the border, px; 0 where there are none.
 std::vector<double> patch_widths(const Classes& classes);
 
