@@ -33,6 +33,20 @@ bool parse_colour(std::string_view text, Rgb& colour) {
   return true;
 }
 
+bool parse_colour(std::string_view text, Rgb& colour, std::uint8_t& opacity) {
+  const std::size_t mark = text.starts_with('#') ? 1 : 0;
+  unsigned value = 255;
+  if (text.size() == mark + 8) {
+    const char *const begin = text.data() + mark + 6, *const end = begin + 2;
+    if (const auto [stop, error] = std::from_chars(begin, end, value, 16); error != std::errc() || stop != end)
+      return false;
+    text.remove_suffix(2);
+  }
+  if (!parse_colour(text, colour)) return false;
+  opacity = static_cast<std::uint8_t>(value);
+  return true;
+}
+
 std::string colour_text(Rgb colour) {
   constexpr char kHex[] = "0123456789abcdef";
   std::string text = "#";

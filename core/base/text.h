@@ -1,6 +1,7 @@
 // Small texts that people write into parameters.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,8 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 
 // "#rrggbb", "#rgb", with or without '#'. False, and `colour` stays, for anything else.
 bool parse_colour(std::string_view text, Rgb& colour);
+// The same, or "#rrggbbaa": how opaque it is, 255 where nothing is said.
+bool parse_colour(std::string_view text, Rgb& colour, std::uint8_t& opacity);
 
 // "#rrggbb"
 std::string colour_text(Rgb colour);

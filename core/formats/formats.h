@@ -32,11 +32,11 @@ std::string write_csv(const PieceSheet& sheet);
 // CSV with a header, one row a colour, the largest area first: colour,name,count,area_px2,area_mm2,share. Areas in
 // mm2 are left empty where the sheet has no width_mm; `share` is of the pieces' area.
 std::string write_bill_csv(const PieceSheet& sheet);
-// PNG of a picture as it is.
-std::string write_png(const Raster& raster);
+// PNG of a picture as it is; 0 pixels a metre: unknown.
+std::string write_png(const Raster& raster, double pixels_per_metre = 0);
 // The picture of a sheet, as its PNG has it.
 Raster draw_sheet(const PieceSheet& sheet, double scale = 1);
-// PNG picture of the sheet, 8-bit RGB or, of pieces of one colour, with a palette, anti-aliased by exact coverage,
+// PNG picture of the sheet, 8 bits in each of its channels or, of pieces of one colour, with a palette, anti-aliased by exact coverage,
 // `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
 

@@ -37,11 +37,15 @@ std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outli
   return copies;
 }
 
-template <class Pixels>
-void draw_pieces(const PieceSheet& sheet, double scale, Pixels& pixels) {
+Rgb fill_of(const Piece& piece) { return piece.fill; }
+Rgb opacity_of(const Piece& piece) { return {piece.opacity, piece.opacity, piece.opacity}; }
+
+// `paint_of` says with what a piece is painted.
+template <class Pixels, class PaintOf>
+void draw_pieces(const PieceSheet& sheet, double scale, const PaintOf& paint_of, Pixels& pixels) {
   Coverage coverage(static_cast<int>(pixels.width()), static_cast<int>(pixels.height()));
   for (const Piece& piece : sheet.pieces) {
-    const auto paint = [&](int x, int y, float share) { pixels.paint(x, y, piece.fill, share); };
+    const auto paint = [&](int x, int y, float share) { pixels.paint(x, y, paint_of(piece), share); };
     coverage.each_pixel(piece.outline, scale, paint);
     if (!sheet.seamless) continue;
     for (const Polygon& copy : copies_across(sheet, piece.outline)) coverage.each_pixel(copy, scale, paint);
@@ -52,7 +56,7 @@ int pixels_of(double length, double scale) { return std::max(1, static_cast<int>
 
 Picture draw(const PieceSheet& sheet, double scale, int width, int height) {
   Picture picture(width, height, sheet.grout);
-  draw_pieces(sheet, scale, picture);
+  draw_pieces(sheet, scale, fill_of, picture);
   return picture;
 }
 
@@ -60,9 +64,18 @@ Picture draw(const PieceSheet& sheet, double scale) {
   return draw(sheet, scale, pixels_of(sheet.width, scale), pixels_of(sheet.height, scale));
 }
 
+// One channel of a picture, 0 to 2, as number `channel` of so many in a raster.
+void copy_channel(const Picture& from, std::size_t number, Raster& to, std::size_t channel) {
+  const auto channels = static_cast<std::size_t>(to.channels);
+  for (std::size_t y = 0; y < from.height(); ++y)
+    for (std::size_t x = 0; x < from.width(); ++x)
+      to.bytes[(y * from.width() + x) * channels + channel] = from.scanline(y)[1 + 3 * x + number];
+}
+
 bool is_of_one_colour(const PieceSheet& sheet) {
-  return !sheet.pieces.empty() && std::all_of(sheet.pieces.begin(), sheet.pieces.end(),
-                                              [&](const Piece& piece) { return piece.fill == sheet.pieces[0].fill; });
+  return sheet.channels == 3 && !sheet.pieces.empty() &&
+         std::all_of(sheet.pieces.begin(), sheet.pieces.end(),
+                     [&](const Piece& piece) { return piece.fill == sheet.pieces[0].fill; });
 }
 
 // ---- The file (PNG specification, chapters 5 and 11; third edition for animation)
@@ -85,7 +98,8 @@ void append_chunk(std::string& out, std::string_view type, std::string_view data
   append_u32(out, crc32(0, reinterpret_cast<const Bytef*>(&out[start]), static_cast<uInt>(out.size() - start)));
 }
 
-enum ColourType : char { kGrey = 0, kRgb = 2, kPalette = 3 };
+enum ColourType : char { kGrey = 0, kRgb = 2, kPalette = 3, kGreyAlpha = 4, kRgba = 6 };
+constexpr ColourType kTypeOfChannels[] = {kGrey, kGreyAlpha, kRgb, kRgba};
 
 void append_header(std::string& out, std::size_t width, std::size_t height, int bits, ColourType type) {
   std::string data;
@@ -110,6 +124,10 @@ void append_resolution(std::string& out, double pixels_per_metre) {
   append_u32(data, resolution);
   data += '\x01';  // a metre
   append_chunk(out, "pHYs", data);
+}
+
+double per_metre(const PieceSheet& sheet, double scale) {
+  return sheet.width_mm > 0 ? 1000 * scale * sheet.width / sheet.width_mm : 0;
 }
 
 // Lines of `stride` bytes, the filter's number and the pixels, compressed in parts: part(bytes) each time that the
@@ -186,19 +204,19 @@ void append_frame(std::string& out, const Picture& picture, std::uint32_t& seque
 }  // namespace
 
 std::string write_png(const PieceSheet& sheet, double scale) {
-  const double per_metre = sheet.width_mm > 0 ? 1000 * scale * sheet.width / sheet.width_mm : 0;
+  if (sheet.channels != 3) return write_png(draw_sheet(sheet, scale), per_metre(sheet, scale));
   std::string out(kSignature);
   if (is_of_one_colour(sheet)) {
     Shades shades(pixels_of(sheet.width, scale), pixels_of(sheet.height, scale), sheet.grout, sheet.pieces[0].fill);
-    draw_pieces(sheet, scale, shades);
+    draw_pieces(sheet, scale, fill_of, shades);
     append_header(out, shades.width(), shades.height(), 8, kPalette);
-    append_resolution(out, per_metre);
+    append_resolution(out, per_metre(sheet, scale));
     append_chunk(out, "PLTE", shades.palette());
     append_pixels(out, shades);
   } else {
     const Picture picture = draw(sheet, scale);
     append_header(out, picture);
-    append_resolution(out, per_metre);
+    append_resolution(out, per_metre(sheet, scale));
     append_pixels(out, picture);
   }
   append_chunk(out, "IEND", {});
@@ -207,14 +225,19 @@ std::string write_png(const PieceSheet& sheet, double scale) {
 
 Raster draw_sheet(const PieceSheet& sheet, double scale) {
   const Picture picture = draw(sheet, scale);
-  Raster raster{static_cast<int>(picture.width()), static_cast<int>(picture.height()), 3, 8, {}};
-  raster.bytes.reserve(picture.height() * (picture.stride() - 1));
-  for (std::size_t y = 0; y < picture.height(); ++y)
-    raster.bytes.insert(raster.bytes.end(), picture.scanline(y) + 1, picture.scanline(y) + picture.stride());
+  Raster raster{static_cast<int>(picture.width()), static_cast<int>(picture.height()), sheet.channels, 8, {}};
+  raster.bytes.resize(picture.width() * picture.height() * static_cast<std::size_t>(sheet.channels));
+  const std::size_t colours = sheet.channels < 3 ? 1 : 3;
+  for (std::size_t k = 0; k < colours; ++k) copy_channel(picture, k, raster, k);
+  if (sheet.channels % 2 == 0) {
+    Picture opacity(raster.width, raster.height, {sheet.grout_opacity, sheet.grout_opacity, sheet.grout_opacity});
+    draw_pieces(sheet, scale, opacity_of, opacity);
+    copy_channel(opacity, 0, raster, colours);
+  }
   return raster;
 }
 
-std::string write_png(const Raster& raster) {
+std::string write_png(const Raster& raster, double pixels_per_metre) {
   constexpr std::uint8_t kUp = 2;  // each byte less the one above: photos and labels repeat themselves downwards
   const auto height = static_cast<std::size_t>(raster.height);
   const std::size_t row = raster.bytes.size() / height;
@@ -229,7 +252,8 @@ std::string write_png(const Raster& raster) {
   };
   std::string out(kSignature);
   append_header(out, static_cast<std::size_t>(raster.width), height, raster.bits,
-                raster.channels == 1 ? kGrey : kRgb);
+                kTypeOfChannels[raster.channels - 1]);
+  append_resolution(out, pixels_per_metre);
   compress(height, line.size(), scanline, [&](std::string_view part) { append_chunk(out, "IDAT", part); });
   append_chunk(out, "IEND", {});
   return out;

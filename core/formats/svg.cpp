@@ -32,6 +32,12 @@ void append_layer(std::string& out, const std::string& name) {
   out += "<g id=\"" + name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\">\n";
 }
 
+void append_opacity(std::string& out, std::uint8_t opacity) {
+  if (opacity == 255) return;
+  out += "\" fill-opacity=\"";
+  append_number(out, opacity / 255.0);
+}
+
 void append_grout(std::string& out, const PieceSheet& sheet) {
   append_layer(out, "grout");
   out += "<rect x=\"0\" y=\"0\"";
@@ -39,6 +45,7 @@ void append_grout(std::string& out, const PieceSheet& sheet) {
   append_attribute(out, "height", sheet.height);
   out += " fill=\"";
   append_colour(out, sheet.grout);
+  append_opacity(out, sheet.grout_opacity);
   out += "\"/>\n</g>\n";
 }
 
@@ -57,6 +64,7 @@ void append_piece(std::string& out, const PieceSheet& sheet, const std::string& 
   append_piece_id(out, sheet, piece);
   out += class_attribute;
   append_colour(out, piece.fill);
+  append_opacity(out, piece.opacity);
   out += piece.outline.holes.empty() ? "\" d=\"" : "\" fill-rule=\"evenodd\" d=\"";
   append_ring(out, piece.outline.outer);
   for (const Ring& hole : piece.outline.holes) append_ring(out, hole);

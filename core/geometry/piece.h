@@ -1,6 +1,7 @@
 // What every technique ends in: coloured pieces on a sheet. The formats know nothing else.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct Piece {
   int id = 0;  // unique on its sheet; written as "<kind>-<id>"
   Polygon outline;
   Rgb fill;
+  std::uint8_t opacity = 255;  // of the fill, on sheets with a channel for it
 };
 
 // A colour that pieces can be bought in.
@@ -35,6 +37,8 @@ struct PieceSheet {
   bool seamless = false;         // tiles the plane: what sticks out at one side belongs to the other as well
   double width_mm = 0;           // physical width of the sheet; 0: none given
   Rgb grout{128, 128, 128};      // colour between the pieces
+  std::uint8_t grout_opacity = 255;
+  int channels = 3;  // of its picture: 1 grey (red, green and blue are alike), 2 with opacity, 3 RGB, 4 with opacity
   std::string job_json;          // the job that made it, one JSON object; empty: none
   std::vector<Piece> pieces;
   std::vector<Column> columns;      // of tables, behind those that every sheet has

@@ -43,6 +43,7 @@ struct Params {
   double border = 0;
   std::string border_color = "#1b1a18";
   int filter = 1;
+  int channels = 3;
   bool seamless = false;
   Process process = Process::kPoisson;
   double family = 8;
@@ -60,6 +61,10 @@ struct Params {
   double dot = 1.5;
   double width_mm = 0;
 };
+
+inline ColourTexts texts_of(const Params& p) {
+  return {p.channels, p.colors, p.probabilities, p.covariance, p.border_color};
+}
 
 // The intensity of the driving process, as given or as it follows from the size: points, lines or nuclei.
 double driving_intensity(const Params& params);
@@ -117,8 +122,9 @@ void visit(Visitor& v, Params& p) {
             {Variation::kCell, "cell", "each cell's is drawn from the colour's normal distribution"},
             {Variation::kWithin, "within", "each pixel's is (in the picture; vectors keep the mean)"}});
   v.text(p.covariance, {.key = "covariance",
-                        .help = "Of those distributions, in levels squared: a variance, three (red, green, blue) or six "
-                                "numbers (rr rg rb gg gb bb), for all colours or, with semicolons between, for each",
+                        .help = "Of those distributions, in levels squared: a variance, one a channel (red, green, blue) or "
+                                "the upper half of the matrix (rr rg rb gg gb bb), for all colours or, with semicolons "
+                                "between, for each",
                         .symbol = "Sigma",
                         .advanced = true});
   v.number(p.border, {.key = "border", .min = 0, .max = 256, .ui_min = 0, .ui_max = 12, .unit = "px",
@@ -129,6 +135,10 @@ void visit(Visitor& v, Params& p) {
                        .help = "Side of the square over which the picture's pixels are averaged; 1: none",
                        .symbol = "n",
                        .advanced = true});
+  v.integer(p.channels, {.key = "channels", .min = 1, .max = 4, .ui_min = 1, .ui_max = 4,
+                         .help = "Of the picture: 1 grey, 2 grey and opacity, 3 RGB, 4 RGB and opacity (colors are then "
+                                 "#rrggbbaa)",
+                         .advanced = true});
   v.flag(p.seamless, {.key = "seamless",
                       .help = "A texture: what leaves the window at the right comes in at the left, and so on"});
   v.choice(p.process, {.key = "process", .help = "The points of points, cells and bombs (2)", .advanced = true},
@@ -182,10 +192,8 @@ void check(const Params& p, Report&& report) {
   if (p.intensity < 0 && p.intensity != kFromSize)
     report("intensity", "is below 0, expected 0 or more, or -1 for one that follows from size");
   ColourModel colours;
-  for (const ColourProblem& problem : read_colours({p.colors, p.probabilities, p.covariance}, colours))
-    report(problem.key, problem.message);
-  if (Rgb ignored; !parse_colour(p.border_color, ignored))
-    report("borderColor", "is no colour, expected one such as \"#1b1a18\"");
+  Levels border;
+  for (const ColourProblem& problem : read_colours(texts_of(p), colours, border)) report(problem.key, problem.message);
 }
 
 }  // namespace tessera::patterns

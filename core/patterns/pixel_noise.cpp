@@ -9,25 +9,29 @@
 namespace tessera::patterns {
 namespace {
 
-int distance2(Rgb a, Rgb b) {
-  const int r = a.r - b.r, g = a.g - b.g, k = a.b - b.b;
-  return r * r + g * g + k * k;
+int distance2(const Levels& a, const Levels& b) {
+  int sum = 0;
+  for (std::size_t k = 0; k < kMostChannels; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
 }
 
-const ColourClass& nearest_class(const ColourModel& model, Rgb colour) {
-  return *std::min_element(model.begin(), model.end(), [&](const ColourClass& a, const ColourClass& b) {
-    return distance2(a.mean, colour) < distance2(b.mean, colour);
-  });
+const ColourClass& nearest_class(const ColourModel& model, const Levels& colour) {
+  return *std::min_element(model.classes.begin(), model.classes.end(),
+                           [&](const ColourClass& a, const ColourClass& b) {
+                             return distance2(a.mean, colour) < distance2(b.mean, colour);
+                           });
 }
 
-std::vector<Rgb> correlated_colours(const ColourClass& of, double correlation, const Window& window, Rng& rng) {
-  const Density fields[] = {gaussian_field(window, correlation, rng), gaussian_field(window, correlation, rng),
-                            gaussian_field(window, correlation, rng)};
-  std::vector<Rgb> colours;
+std::vector<Levels> correlated_colours(const ColourModel& model, double correlation, const Window& window, Rng& rng) {
+  const ColourClass& of = model.classes[0];
+  std::vector<Density> fields;
+  for (int k = 0; k < model.channels; ++k) fields.push_back(gaussian_field(window, correlation, rng));
+  std::vector<Levels> colours;
   for (double y = window.low.y; y < window.high.y; ++y)
     for (double x = window.low.x; x < window.high.x; ++x) {
-      const Point p{x + 0.5, y + 0.5};
-      colours.push_back(varied_colour(of, of.mean, {fields[0].at(p), fields[1].at(p), fields[2].at(p)}));
+      Noise noise{};
+      for (std::size_t k = 0; k < fields.size(); ++k) noise[k] = fields[k].at({x + 0.5, y + 0.5});
+      colours.push_back(varied_colour(of, of.mean, noise, model.channels));
     }
   return colours;
 }
@@ -51,23 +55,26 @@ void filter_line(std::uint8_t* line, int count, std::ptrdiff_t step, int side, b
 
 }  // namespace
 
-std::vector<Rgb> pixel_colours(const ColourModel& model, double correlation, const Window& window, Rng& rng) {
-  if (correlation > 0) return correlated_colours(model[0], correlation, window, rng);
-  std::vector<Rgb> colours;
+std::vector<Levels> pixel_colours(const ColourModel& model, double correlation, const Window& window, Rng& rng) {
+  if (correlation > 0) return correlated_colours(model, correlation, window, rng);
+  std::vector<Levels> colours;
   for (double y = window.low.y; y < window.high.y; ++y)
     for (double x = window.low.x; x < window.high.x; ++x) {
       const ColourClass& its = draw_class(model, rng);
-      colours.push_back(draw_colour(its, its.mean, rng));
+      colours.push_back(draw_colour(its, its.mean, model.channels, rng));
     }
   return colours;
 }
 
 void add_noise(Raster& picture, const ColourModel& model, std::uint64_t seed) {
   Rng rng(seed, RngPurpose::kPixels);
-  for (std::size_t i = 0; i + 2 < picture.bytes.size(); i += 3) {
-    const Rgb before{picture.bytes[i], picture.bytes[i + 1], picture.bytes[i + 2]};
-    const Rgb after = draw_colour(nearest_class(model, before), before, rng);
-    picture.bytes[i] = after.r, picture.bytes[i + 1] = after.g, picture.bytes[i + 2] = after.b;
+  const auto channels = static_cast<std::size_t>(model.channels);
+  for (std::size_t i = 0; i + channels <= picture.bytes.size(); i += channels) {
+    const auto pixel = picture.bytes.begin() + static_cast<std::ptrdiff_t>(i);
+    Levels before{};
+    std::copy_n(pixel, channels, before.begin());
+    const Levels after = draw_colour(nearest_class(model, before), before, model.channels, rng);
+    std::copy_n(after.begin(), channels, pixel);
   }
 }
 

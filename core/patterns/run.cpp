@@ -20,16 +20,14 @@ namespace {
 constexpr double kMostPieces = 2e7;
 constexpr double kChordShare = 1e-3;  // of a cell's size, from a Johnson-Mehl cell's border to its chords
 
-ColourModel colours_of(const Params& p) {
+struct Colours {
   ColourModel model;
-  read_colours({p.colors, p.probabilities, p.covariance}, model);
-  return model;
-}
-
-Rgb border_colour_of(const Params& p) {
-  Rgb colour;
-  parse_colour(p.border_color, colour);
-  return colour;
+  Levels border;
+};
+Colours colours_of(const Params& p) {
+  Colours colours;
+  read_colours(texts_of(p), colours.model, colours.border);
+  return colours;
 }
 
 // The cells of a structure (section 3), uncoloured.
@@ -64,9 +62,9 @@ bool has_borders(const Params& p) {
 
 // Half a border's thickness inwards on every side; colours follow their cells. The cells are those of a wider window,
 // so that there is no border along the window's own sides.
-Cells with_borders(const Cells& cells, std::vector<Rgb>& colours, const Params& p, const Window& window) {
+Cells with_borders(const Cells& cells, std::vector<Levels>& colours, const Params& p, const Window& window) {
   Cells inner;
-  std::vector<Rgb> theirs;
+  std::vector<Levels> theirs;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Ring ring = shrink(cells[i], p.border / 2);
     if (ring.empty()) continue;
@@ -81,16 +79,16 @@ Cells with_borders(const Cells& cells, std::vector<Rgb>& colours, const Params& 
 }
 
 // One of the colours each, by itself (section 3, step 2); bombs and points have the first.
-std::vector<Rgb> colour(const Cells& cells, const Params& p, const Window& window, std::uint64_t seed) {
-  const ColourModel model = colours_of(p);
+std::vector<Levels> colour(const Cells& cells, const Params& p, const Window& window, std::uint64_t seed) {
+  const ColourModel model = colours_of(p).model;
   Rng rng(seed, RngPurpose::kColours);
   if (p.model == Model::kGaussian) return pixel_colours(model, p.correlation, window, rng);
   const bool alike = is_bombing(p.model) || p.model == Model::kPoints;
-  std::vector<Rgb> colours;
+  std::vector<Levels> colours;
   colours.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const ColourClass& its = alike ? model[0] : draw_class(model, rng);
-    colours.push_back(p.variation == Variation::kCell ? draw_colour(its, its.mean, rng) : its.mean);
+    const ColourClass& its = alike ? model.classes[0] : draw_class(model, rng);
+    colours.push_back(p.variation == Variation::kCell ? draw_colour(its, its.mean, model.channels, rng) : its.mean);
   }
   return colours;
 }
@@ -104,9 +102,13 @@ PieceSheet empty_sheet(const Params& p) {
   sheet.height = p.height;
   sheet.width_mm = p.width_mm;
   sheet.seamless = p.seamless;
-  const ColourModel model = colours_of(p);
+  const Colours colours = colours_of(p);
+  const std::vector<ColourClass>& classes = colours.model.classes;
   const bool on_ground = is_bombing(p.model) || p.model == Model::kPoints;
-  sheet.grout = on_ground && model.size() > 1 ? model[1].mean : border_colour_of(p);
+  const Levels& between = on_ground && classes.size() > 1 ? classes[1].mean : colours.border;
+  sheet.channels = p.channels;
+  sheet.grout = fill_of(between, p.channels);
+  sheet.grout_opacity = opacity_of(between, p.channels);
   return sheet;
 }
 
@@ -130,7 +132,7 @@ Result<Output> run(const ImageView& density, const Params& params, std::uint64_t
   context.progress(0.8);
 
   context.stage("colours");
-  std::vector<Rgb> colours = colour(*cells, params, window, seed);
+  std::vector<Levels> colours = colour(*cells, params, window, seed);
   if (has_borders(params)) *cells = with_borders(*cells, colours, params, window);
 
   Output output{empty_sheet(params), {}, driving_intensity(params)};
@@ -138,7 +140,10 @@ Result<Output> run(const ImageView& density, const Params& params, std::uint64_t
   output.areas.reserve(cells->size());
   for (std::size_t i = 0; i < cells->size(); ++i) {
     output.areas.push_back(std::abs(signed_area((*cells)[i])));
-    output.sheet.pieces.push_back({static_cast<int>(i) + 1, {std::move((*cells)[i]), {}}, colours[i]});
+    output.sheet.pieces.push_back({static_cast<int>(i) + 1,
+                                   {std::move((*cells)[i]), {}},
+                                   fill_of(colours[i], params.channels),
+                                   opacity_of(colours[i], params.channels)});
   }
   context.progress(1);
   return output;
@@ -147,7 +152,7 @@ Result<Output> run(const ImageView& density, const Params& params, std::uint64_t
 bool has_finish(const Params& p) { return p.filter > 1 || p.variation == Variation::kWithin; }
 
 void finish(Raster& picture, const Params& p, std::uint64_t seed) {
-  if (p.variation == Variation::kWithin && p.model != Model::kGaussian) add_noise(picture, colours_of(p), seed);
+  if (p.variation == Variation::kWithin && p.model != Model::kGaussian) add_noise(picture, colours_of(p).model, seed);
   mean_filter(picture, p.filter, p.seamless);
 }
 

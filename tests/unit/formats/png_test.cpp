@@ -193,6 +193,31 @@ TEST(WritePng, ResolutionFollowsTheWidth) {
   }
 }
 
+// A grey of 200, half of it opaque, on a ground of 100 that is nearly so; a pixel that is half covered has the mean.
+TEST(WritePng, HasAsManyChannelsAsTheSheet) {
+  PieceSheet sheet = sheet_of(4, 1, {{1, {box(0, 0, 1.5, 1), {}}, {200, 200, 200}, 128}});
+  sheet.grout_opacity = 228;
+  const struct {
+    int channels;
+    LodePNGColorType type;
+    std::vector<unsigned char> bytes;
+  } cases[] = {{1, LCT_GREY, {200, 150, 100, 100}},
+               {2, LCT_GREY_ALPHA, {200, 128, 150, 178, 100, 228, 100, 228}},
+               {3, LCT_RGB, {200, 200, 200, 150, 150, 150, 100, 100, 100, 100, 100, 100}},
+               {4, LCT_RGBA, {200, 200, 200, 128, 150, 150, 150, 178, 100, 100, 100, 228, 100, 100, 100, 228}}};
+  for (const auto& [channels, type, bytes] : cases) {
+    sheet.channels = channels;
+    const std::string png = write_png(sheet);
+    EXPECT_TRUE(channels == 3 || static_cast<LodePNGColorType>(png[25]) == type) << channels;
+    std::vector<unsigned char> pixels;
+    unsigned width = 0, height = 0;
+    ASSERT_EQ(lodepng::decode(pixels, width, height, reinterpret_cast<const unsigned char*>(png.data()), png.size(),
+                              type, 8),
+              0U);
+    EXPECT_EQ(pixels, bytes) << channels;
+  }
+}
+
 TEST(WriteApng, TheSheetComesFirstThenTheFrames) {
   const PieceSheet sheet = two_stones();
   std::vector<Raster> frames(3, {31, 17, 3, 8, std::vector<std::uint8_t>(std::size_t{31} * 17 * 3)});

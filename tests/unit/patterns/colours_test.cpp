@@ -12,12 +12,23 @@ namespace tessera::patterns {
 namespace {
 
 std::vector<std::string> troubles(const std::string& colors, const std::string& probabilities,
-                                  const std::string& covariance) {
+                                  const std::string& covariance, int channels = 3,
+                                  const std::string& border_color = "#000") {
   ColourModel model;
+  Levels border;
   std::vector<std::string> keys;
-  for (const ColourProblem& problem : read_colours({colors, probabilities, covariance}, model))
+  for (const ColourProblem& problem :
+       read_colours({channels, colors, probabilities, covariance, border_color}, model, border))
     keys.emplace_back(problem.key);
   return keys;
+}
+
+ColourModel model_of(int channels, const std::string& colors, const std::string& probabilities,
+                     const std::string& covariance) {
+  ColourModel model;
+  Levels border;
+  EXPECT_TRUE(read_colours({channels, colors, probabilities, covariance, "#000"}, model, border).empty());
+  return model;
 }
 
 TEST(ColoursTest, ReadsWhatIsRight) {
@@ -39,27 +50,53 @@ TEST(ColoursTest, RefusesWhatIsNot) {
   EXPECT_THAT(troubles("#000", "", "1;2"), ElementsAre("covariance"));
 }
 
+TEST(ColoursTest, HaveAsManyChannelsAsAsked) {
+  EXPECT_TRUE(troubles("#10203040 #fff", "", "1 2 3 4", 4, "#00000080").empty());
+  EXPECT_TRUE(troubles("#10203040", "", "1 2 3 4 5 6 7 8 9 10", 2) == std::vector<std::string>{"covariance"});
+  EXPECT_TRUE(troubles("#101010", "", "9", 1).empty());
+  EXPECT_THAT(troubles("#10203040", "", "1"), testing::ElementsAre("colors"));
+  EXPECT_THAT(troubles("#102030", "", "1", 3, "#00000080"), testing::ElementsAre("borderColor"));
+  EXPECT_THAT(troubles("#102030zz", "", "1", 4), testing::ElementsAre("colors"));
+  EXPECT_EQ(model_of(1, "#102030", "", "0").classes[0].mean, (Levels{32}));
+  EXPECT_EQ(model_of(2, "#10203040", "", "0").classes[0].mean, (Levels{32, 64}));
+  EXPECT_EQ(model_of(4, "#10203040", "", "0").classes[0].mean, (Levels{16, 32, 48, 64}));
+}
+
+// The fourth channel follows the first as its covariance says.
+TEST(ColoursTest, VaryInFourChannels) {
+  const ColourModel model = model_of(4, "#80808080", "", "100 0 0 60 80 0 0 25 0 64");
+  Rng rng(1, RngPurpose::kColours);
+  double ra = 0, aa = 0, ga = 0;
+  constexpr int kDraws = 40000;
+  for (int i = 0; i < kDraws; ++i) {
+    const Levels c = draw_colour(model.classes[0], model.classes[0].mean, 4, rng);
+    ra += (c[0] - 128.0) * (c[3] - 128.0) / kDraws, ga += (c[1] - 128.0) * (c[3] - 128.0) / kDraws;
+    aa += (c[3] - 128.0) * (c[3] - 128.0) / kDraws;
+  }
+  EXPECT_NEAR(ra, 60, 2);
+  EXPECT_NEAR(ga, 0, 1.3);
+  EXPECT_NEAR(aa, 64, 2);
+}
+
 TEST(ColoursTest, ComeWithTheirProbabilities) {
-  ColourModel model;
-  ASSERT_TRUE(read_colours({"#000 #111 #222", "5 3 2", "0"}, model).empty());
+  const ColourModel model = model_of(3, "#000 #111 #222", "5 3 2", "0");
   Rng rng(1, RngPurpose::kColours);
   double counts[3] = {};
   constexpr int kDraws = 20000;
-  for (int i = 0; i < kDraws; ++i) ++counts[draw_class(model, rng).mean.r / 17];
+  for (int i = 0; i < kDraws; ++i) ++counts[draw_class(model, rng).mean[0] / 17];
   const double expected[] = {0.5, 0.3, 0.2};
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(counts[k] / kDraws, expected[k], 3.5 * std::sqrt(expected[k] * (1 - expected[k]) / kDraws));
 }
 
 TEST(ColoursTest, VaryAsTheirCovarianceSays) {
-  ColourModel model;
-  ASSERT_TRUE(read_colours({"#808080", "", "100 60 0 80 0 25"}, model).empty());
+  const ColourModel model = model_of(3, "#808080", "", "100 60 0 80 0 25");
   Rng rng(1, RngPurpose::kColours);
   double rr = 0, rg = 0, gg = 0, rb = 0, bb = 0;
   constexpr int kDraws = 40000;
   for (int i = 0; i < kDraws; ++i) {
-    const Rgb c = draw_colour(model[0], model[0].mean, rng);
-    const double r = c.r - 128.0, g = c.g - 128.0, b = c.b - 128.0;
+    const Levels c = draw_colour(model.classes[0], model.classes[0].mean, 3, rng);
+    const double r = c[0] - 128.0, g = c[1] - 128.0, b = c[2] - 128.0;
     rr += r * r / kDraws, rg += r * g / kDraws, gg += g * g / kDraws, rb += r * b / kDraws, bb += b * b / kDraws;
   }
   EXPECT_NEAR(rr, 100, 3);  // three standard errors, and a twelfth for whole levels
