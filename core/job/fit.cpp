@@ -11,6 +11,7 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/base/text.h"
+#include "tessera/job/job_json.h"
 #include "tessera/patterns/run.h"
 #include "tessera/statistics/borders.h"
 #include "tessera/statistics/cells.h"
@@ -236,7 +237,7 @@ int noise_step(const Classes& classes) {
   if (step == 0) return 0;
   const double changes = statistics::boundary_crossings(classes) * step;
   const double by_chance = 1 - sum_of_squares(statistics::shares_of(classes));
-  return changes > 0.9 * by_chance ? step : 0;
+  return std::abs(changes - by_chance) < 0.1 * by_chance ? step : 0;
 }
 
 void take_colours(const Classes& classes, patterns::Params& params) {
@@ -325,6 +326,24 @@ Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunC
   std::stable_sort(fit.candidates.begin(), fit.candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   return fit;
+}
+
+Job job_of(const Fit& fit, std::uint64_t seed) { return {.seed = seed, .params = fit.params, .inputs = {}}; }
+
+Json fit_to_json(const Fit& fit, std::uint64_t seed) {
+  Json candidates = Json::array();
+  for (const Candidate& c : fit.candidates) {
+    patterns::Params params;
+    params.model = c.model;
+    candidates.push_back({{"model", write_params(params)["model"]},
+                          {"lambda", c.number},
+                          {"distance", c.distance},
+                          {"w_residual", c.residual}});
+  }
+  return {{"model", candidates[0]["model"]},
+          {"lambda", candidates[0]["lambda"]},
+          {"candidates", candidates},
+          {"job", job_to_json(job_of(fit, seed))}};
 }
 
 }  // namespace tessera

@@ -1,8 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { ChevronUp, Play, Square } from 'lucide-preact';
 import { cancel, generate } from '../state/runner';
-import { inputRole, opening, run, sheet } from '../state/store';
+import { entry, inputRole, opening, run, sheet } from '../state/store';
 import { DensityInput } from './DensityInput';
+import { FitInput } from './FitInput';
 import { ModelChoice } from './ModelChoice';
 import { Parameters, Presets } from './Parameters';
 import { PictureInput } from './PictureInput';
@@ -37,6 +38,7 @@ export function Panel() {
       <div class="panel-body" id="panel-body">
         {inputRole.value && <PictureInput />}
         <ModelChoice />
+        {entry.value.measurable && <FitInput />}
         <Presets />
         <Parameters />
         {!inputRole.value && <DensityInput />}
