@@ -82,7 +82,7 @@ Curve measured_curve(const Labels& labels, double spacing, int needles, Rng& rng
 // W of a model against d times the square root of cells an area; a table, since some have none but a simulated one.
 class Form {
  public:
-  explicit Form(std::function<double(double)> exact) {
+  explicit Form(const std::function<double(double)>& exact) {
     for (int k = 0; k <= kSteps; ++k) table_.push_back(exact(kReach * k / kSteps));
   }
   double at(double u) const {
@@ -106,11 +106,12 @@ double residual_of(const Curve& curve, const Form& form, double cells) {
   return std::sqrt(sum / static_cast<double>(curve.lengths.size()));
 }
 
-// The cells an area whose curve is the nearest, about a first guess: golden section.
+// The cells an area whose curve is the nearest, about a first guess: golden section over their root, which lengths
+// scale with.
 double nearest_density(const Curve& curve, const Form& form, double guess) {
   const double golden = (std::sqrt(5.0) - 1) / 2;
-  const auto off = [&](double log_cells) { return residual_of(curve, form, std::exp(log_cells)); };
-  double low = std::log(guess / 2.5), high = std::log(guess * 2.5);
+  const auto off = [&](double root) { return residual_of(curve, form, root * root); };
+  double low = std::sqrt(guess / 2.5), high = std::sqrt(guess * 2.5);
   for (int step = 0; step < 30; ++step) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
     if (off(a) < off(b))
@@ -118,7 +119,7 @@ double nearest_density(const Curve& curve, const Form& form, double guess) {
     else
       low = a;
   }
-  return std::exp((low + high) / 2);
+  return (low + high) * (low + high) / 4;
 }
 
 // ---- Models
@@ -144,7 +145,7 @@ double number_of(const CellModel& model, double cells) {
     case Model::kPoissonLines: return std::sqrt(cells / kPi);
     case Model::kOccupancy: return cells;
     case Model::kDelaunay: return cells / 2;
-    case Model::kJohnsonMehl: return std::pow(cells / 0.8794, 1.5);
+    case Model::kJohnsonMehl: return cells / 0.8794 * std::sqrt(cells / 0.8794);
     default: return 1 / std::sqrt(cells * statistics::typical_cell(model.form, 1).area);
   }
 }

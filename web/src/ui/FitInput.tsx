@@ -1,6 +1,8 @@
 import { ImageUp, Images, Play, X } from 'lucide-preact';
-import type { Candidate } from 'tessera-wasm';
+import type { Candidate, Job } from 'tessera-wasm';
+import { partsOf, readColours } from '../state/colours';
 import { cancelFit, fitPicture, fitProblem, fitted, fitting, knownPictures, useFit } from '../state/fit';
+import { percent } from '../techniques/facts';
 import { worded } from './ModelChoice';
 import { kPictureTypes } from './PictureInput';
 
@@ -67,6 +69,25 @@ function numberOf({ model, lambda }: Candidate): string {
   return `λ ${number.format(lambda)} per px²`;
 }
 
+/** Those of the picture, with their shares. */
+function Colours({ job: { params } }: { job: Job }) {
+  const list = readColours(String(params['colors']), String(params['probabilities']));
+  if (!list) return null;
+  const parts = partsOf(list);
+  return (
+    <ul class="fit-colours" aria-label="Colours">
+      {list.colours.map((colour, i) => {
+        const words = `${colour}, ${percent.format(parts[i] ?? 0)} of all`;
+        return (
+          <li key={colour} title={words} style={{ background: colour, flexGrow: parts[i] ?? 0 }}>
+            <span class="unseen">{words}</span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
+
 function Result({ name, fit }: NonNullable<typeof fitted.value>) {
   const [best, ...others] = fit.candidates;
   if (!best) return null;
@@ -82,6 +103,7 @@ function Result({ name, fit }: NonNullable<typeof fitted.value>) {
             <strong>{worded(best.model)}</strong>
           </p>
           <p class="fit-number">{numberOf(best)}</p>
+          <Colours job={fit.job} />
         </div>
         <button type="button" class="button primary slim" onClick={() => useFit(fit)}>
           <Play size={14} aria-hidden />
@@ -89,15 +111,14 @@ function Result({ name, fit }: NonNullable<typeof fitted.value>) {
         </button>
       </div>
       <table class="figures">
+        <caption>
+          Distance from pictures that the model makes, in standard deviations; residual of W(d), root mean square
+        </caption>
         <thead>
           <tr>
             <td />
-            <th scope="col" title="From pictures that the model makes, in standard deviations">
-              distance
-            </th>
-            <th scope="col" title="Of W(d), root mean square">
-              residual
-            </th>
+            <th scope="col">distance</th>
+            <th scope="col">residual</th>
           </tr>
         </thead>
         <tbody>

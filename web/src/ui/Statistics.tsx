@@ -35,7 +35,12 @@ export function Statistics() {
           <ChevronDown size={16} aria-hidden />
         </button>
       </h2>
-      <div id="statistics" class="statistics-body" hidden={!open} aria-busy={!upToDate.value}>
+      <div
+        id="statistics"
+        class="statistics-body"
+        hidden={!open}
+        aria-busy={!upToDate.value && !statisticsProblem.value}
+      >
         {open && <Inside />}
       </div>
     </section>
