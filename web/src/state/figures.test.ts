@@ -5,6 +5,7 @@ test('an error says how many digits are worth showing', () => {
   expect(withError({ mean: 5.98735, error: 0.0642407 })).toBe('5.987 ± 0.064');
   expect(withError({ mean: 562.81, error: 13.1349 })).toBe('563 ± 13');
   expect(withError({ mean: 576, error: 0 })).toBe('576');
+  expect(withError({ mean: 1496.49, error: 0.00095 })).toBe('1,496');
 });
 
 test('cells stand beside what is expected of them, where it is known', () => {

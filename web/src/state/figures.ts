@@ -24,9 +24,11 @@ const kThousand = 1000; // px²
 
 const optional = (value: unknown) => (typeof value === 'number' && value > 0 ? plain.format(value) : '');
 
+const kExact = 1e-4; // of the value; a smaller error is that of the file's digits
+
 /** "5.99 ± 0.06": as many digits as the error leaves. */
 export function withError({ mean, error }: { mean: number; error: number }): string {
-  if (!(error > 0)) return plain.format(mean);
+  if (!(error > kExact * Math.abs(mean))) return plain.format(mean);
   const digits = Math.min(20, Math.max(0, 1 - Math.floor(Math.log10(error))));
   const format = new Intl.NumberFormat('en', { minimumFractionDigits: digits, maximumFractionDigits: digits });
   return `${format.format(mean)} ± ${format.format(error)}`;

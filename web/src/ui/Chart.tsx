@@ -9,7 +9,11 @@ const kTop = 10;
 const kBottom = 40;
 const kDot = 2.6;
 
-const number = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, notation: 'compact' });
+const kLong = 10_000; // is written shorter
+
+const small = new Intl.NumberFormat('en', { maximumSignificantDigits: 4 });
+const large = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, notation: 'compact' });
+const shown = (value: number) => (Math.abs(value) < kLong ? small : large).format(value);
 
 /** Curves or bars over axes; what was measured in the accent, a closed form as a line beside it. */
 export function Chart({ plot }: { plot: Plot }) {
@@ -34,7 +38,7 @@ export function Chart({ plot }: { plot: Plot }) {
           <g key={tick} transform={`translate(0 ${y(tick)})`}>
             <path class="chart-grid" d={`M0 0H${kWidth}`} />
             <text x={-7} y={3.5} text-anchor="end">
-              {number.format(tick)}
+              {shown(tick)}
             </text>
           </g>
         ))}
@@ -62,7 +66,7 @@ const Ticks = ({ axis }: { axis: Axis }) => (
       <g key={tick} transform={`translate(${placeOn(axis, tick) * kWidth} ${kHeight})`}>
         <path class="chart-grid" d="M0 0v4" />
         <text y={17} text-anchor="middle">
-          {number.format(tick)}
+          {shown(tick)}
         </text>
       </g>
     ))}
@@ -112,12 +116,12 @@ function Bars({ bins, values, y }: { bins: string[]; values: number[]; y: (value
 function description({ title, xLabel, bins, series }: Plot): string {
   const [measured, expected] = series;
   if (bins) {
-    const parts = bins.map((bin, i) => `${bin}: ${number.format(measured?.values?.[i] ?? 0)}`);
+    const parts = bins.map((bin, i) => `${bin}: ${shown(measured?.values?.[i] ?? 0)}`);
     return `${title}, by ${xLabel}: ${parts.join(', ')}`;
   }
   const [first, last] = [measured?.points?.[0], measured?.points?.at(-1)];
   if (!first || !last) return title;
   const beside = expected ? `, beside ${expected.name}` : '';
-  const [from, to] = [first, last].map(([x, v]) => `${number.format(v)} at ${number.format(x)}`);
+  const [from, to] = [first, last].map(([x, v]) => `${shown(v)} at ${shown(x)}`);
   return `${title}, by ${xLabel}: from ${from} to ${to}${beside}`;
 }

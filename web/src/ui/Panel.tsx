@@ -38,9 +38,9 @@ export function Panel() {
       <div class="panel-body" id="panel-body">
         {inputRole.value && <PictureInput />}
         <ModelChoice />
-        {entry.value.measurable && <FitInput />}
         <Presets />
         <Parameters />
+        {entry.value.measurable && <FitInput />}
         {!inputRole.value && <DensityInput />}
       </div>
     </aside>
