@@ -37,7 +37,7 @@ export function Chart({ plot }: { plot: Plot }) {
         {up.ticks.map((tick) => (
           <g key={tick} transform={`translate(0 ${y(tick)})`}>
             <path class="chart-grid" d={`M0 0H${kWidth}`} />
-            <text x={-7} y={3.5} text-anchor="end">
+            <text x={-7} y={4.5} text-anchor="end">
               {shown(tick)}
             </text>
           </g>
