@@ -11,6 +11,7 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/base/text.h"
+#include "tessera/job/job_json.h"
 #include "tessera/patterns/run.h"
 #include "tessera/statistics/borders.h"
 #include "tessera/statistics/cells.h"
@@ -98,7 +99,7 @@ Curve short_curve(const Labels& labels, double spacing) {
 // W of a model against d times the square root of cells an area; a table, since some have none but a simulated one.
 class Form {
  public:
-  explicit Form(std::function<double(double)> exact) {
+  explicit Form(const std::function<double(double)>& exact) {
     for (int k = 0; k <= kSteps; ++k) table_.push_back(exact(kReach * k / kSteps));
   }
   double at(double u) const {
@@ -122,11 +123,12 @@ double residual_of(const Curve& curve, const Form& form, double cells) {
   return std::sqrt(sum / static_cast<double>(curve.lengths.size()));
 }
 
-// The cells an area whose curve is the nearest, about a first guess: golden section.
+// The cells an area whose curve is the nearest, about a first guess: golden section over their root, which lengths
+// scale with.
 double nearest_density(const Curve& curve, const Form& form, double guess) {
   const double golden = (std::sqrt(5.0) - 1) / 2;
-  const auto off = [&](double log_cells) { return residual_of(curve, form, std::exp(log_cells)); };
-  double low = std::log(guess / 2.5), high = std::log(guess * 2.5);
+  const auto off = [&](double root) { return residual_of(curve, form, root * root); };
+  double low = std::sqrt(guess / 2.5), high = std::sqrt(guess * 2.5);
   for (int step = 0; step < 30; ++step) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
     if (off(a) < off(b))
@@ -134,7 +136,7 @@ double nearest_density(const Curve& curve, const Form& form, double guess) {
     else
       low = a;
   }
-  return std::exp((low + high) / 2);
+  return (low + high) * (low + high) / 4;
 }
 
 // ---- Models
@@ -160,7 +162,7 @@ double number_of(const CellModel& model, double cells) {
     case Model::kPoissonLines: return std::sqrt(cells / kPi);
     case Model::kOccupancy: return cells;
     case Model::kDelaunay: return cells / 2;
-    case Model::kJohnsonMehl: return std::pow(cells / 0.8794, 1.5);
+    case Model::kJohnsonMehl: return cells / 0.8794 * std::sqrt(cells / 0.8794);
     default: return 1 / std::sqrt(cells * statistics::typical_cell(model.form, 1).area);
   }
 }
@@ -284,7 +286,7 @@ int noise_step(const Classes& classes) {
   if (step == 0) return 0;
   const double changes = statistics::boundary_crossings(classes) * step;
   const double by_chance = 1 - sum_of_squares(statistics::shares_of(classes));
-  return changes > 0.9 * by_chance ? step : 0;
+  return std::abs(changes - by_chance) < 0.1 * by_chance ? step : 0;
 }
 
 void take_colours(const Classes& classes, patterns::Params& params) {
@@ -367,6 +369,24 @@ Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunC
   std::stable_sort(fit.candidates.begin(), fit.candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   return fit;
+}
+
+Job job_of(const Fit& fit, std::uint64_t seed) { return {.seed = seed, .params = fit.params, .inputs = {}}; }
+
+Json fit_to_json(const Fit& fit, std::uint64_t seed) {
+  Json candidates = Json::array();
+  for (const Candidate& c : fit.candidates) {
+    patterns::Params params;
+    params.model = c.model;
+    candidates.push_back({{"model", write_params(params)["model"]},
+                          {"lambda", c.number},
+                          {"distance", c.distance},
+                          {"w_residual", c.residual}});
+  }
+  return {{"model", candidates[0]["model"]},
+          {"lambda", candidates[0]["lambda"]},
+          {"candidates", candidates},
+          {"job", job_to_json(job_of(fit, seed))}};
 }
 
 }  // namespace tessera

@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kDistances = 24;
 constexpr double kPixelsACell = 24;  // along a mean cell, where cells are drawn to throw needles on
+constexpr int kAreaSteps = 60;       // of the areas' distribution, to the largest
 
 // Six digits: more would be noise.
 double rounded(double v) {
@@ -194,6 +195,48 @@ Json moment_json(const statistics::Moment& m, double expected, double expected_v
   return json;
 }
 
+// What share of cells is no larger than each area. Lattices alone have a closed form: all their cells are alike.
+Curves areas_plot(const statistics::CellStatistics& s, const statistics::TypicalCell& typical) {
+  Curves plot{"Areas", "area, px²", "share of cells that are no larger", false, {}, {}};
+  const double largest = s.areas.empty() ? 1 : s.areas.back().value;
+  Curves::Series measured{"measured", {}};
+  double below = 0;
+  std::size_t next = 0;
+  for (int step = 0; step <= kAreaSteps; ++step) {
+    const double area = step < kAreaSteps ? largest * step / kAreaSteps : largest;
+    while (next < s.areas.size() && s.areas[next].value <= area) below += s.areas[next++].weight / s.per_area;
+    measured.points.push_back({area, below});
+  }
+  plot.series.push_back(std::move(measured));
+  if (typical.area > 0 && typical.area_variance == 0) {
+    const double end = std::max(largest, typical.area);
+    plot.series.push_back({"closed form", {{0, 0}, {typical.area, 0}, {typical.area, 1}, {end, 1}}});
+  }
+  return plot;
+}
+
+Histogram sides_plot(const statistics::CellStatistics& s) {
+  constexpr std::size_t kFewest = 3;
+  Histogram plot{"Sides", "sides of a cell", "share of cells", {}, {{"measured", {}}}};
+  for (std::size_t sides = kFewest; sides < s.side_shares.size(); ++sides) {
+    plot.bins.push_back(fmt::format("{}", sides));
+    plot.series[0].values.push_back(s.side_shares[sides]);
+  }
+  return plot;
+}
+
+// W(d) length after length, as long as one may go on.
+Result<std::vector<double>> same_cell(const cv::Mat1i& drawn, const std::vector<double>& distances, int needles,
+                                      Rng& rng, const RunContext& context) {
+  std::vector<double> all;
+  for (const double d : distances) {
+    if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
+    all.push_back(statistics::same_cell(drawn, {d}, needles, rng)[0]);
+    context.progress(static_cast<double>(all.size()) / static_cast<double>(distances.size()));
+  }
+  return all;
+}
+
 Result<Measured> measure_cells(const PatternFile& file, const Window& window, const MeasureOptions& options,
                                const std::optional<Comparison>& with, const RunContext& context) {
   context.stage("cells");
@@ -208,7 +251,9 @@ Result<Measured> measure_cells(const PatternFile& file, const Window& window, co
   std::vector<double> in_pixels;
   for (const double d : distances) in_pixels.push_back(d / pixel);
   const cv::Mat1i drawn = statistics::draw_cells(file.cells, window, pixel);
-  const std::vector<double> same = statistics::same_cell(drawn, in_pixels, options.needles, rng);
+  const auto thrown = same_cell(drawn, in_pixels, options.needles, rng, context);
+  if (!thrown) return tl::unexpected<Status>(thrown.error());
+  const std::vector<double>& same = *thrown;
   const std::vector<double> expected = expected_same_cell(with, distances);
   const statistics::TypicalCell typical =
       with ? statistics::typical_cell(with->model, with->x) : statistics::TypicalCell{0, 0, 0, 0, -1};
@@ -236,6 +281,8 @@ Result<Measured> measure_cells(const PatternFile& file, const Window& window, co
   measured.csv = table(columns);
   measured.plots.push_back(
       {"same_cell", curves_of("Both ends of a needle in one cell", "W", distances, same, expected)});
+  measured.plots.push_back({"areas", areas_plot(s, typical)});
+  measured.plots.push_back({"sides", sides_plot(s)});
   return measured;
 }
 

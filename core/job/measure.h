@@ -30,10 +30,14 @@ struct MeasureOptions {
   std::uint64_t seed = 1;
 };
 
+// From {"model": "occupancy", "lambda": 0.01, "distances": [1, 2], "window": [300, 200], "needles": 40000, "colors":
+// 4, "seed": 1}, every member as it likes; `lambda` is the model's number. All problems together, by the member.
+tl::expected<MeasureOptions, Problems> read_measure_options(const Json& json);
+
 struct Measured {
   Json json;                // {"kind": "picture" | "cells" | "points", ...}
   std::string csv;          // a row a distance
-  std::vector<Plot> plots;  // with the closed form beside what was measured
+  std::vector<Plot> plots;  // closed forms beside what was measured
 };
 
 Result<Measured> measure_picture(const ImageView& picture, const MeasureOptions& options, const RunContext& context);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <new>
 #include <string_view>
 #include <utility>
 
 #include "tessera/formats/formats.h"
 #include "tessera/geometry/extrude.h"
+#include "tessera/job/guarded.h"
 #include "tessera/job/job_json.h"
 #include "tessera/job/recorder.h"
 #include "tessera/job/techniques.h"
@@ -144,24 +144,6 @@ RunContext part_of(const RunContext& context, double from, double to) {
   RunContext part = context;
   part.on_progress = [&context, from, to](double fraction) { context.progress(from + (to - from) * fraction); };
   return part;
-}
-
-// What `work` returns; OpenCV's exceptions and failed allocations become problems.
-template <class Work>
-auto guarded(const Work& work) -> tl::expected<typename decltype(work())::value_type, Problems> {
-  const auto fault = [](std::string message) {
-    return tl::unexpected<Problems>(Problems{{StatusCode::kInternal, "", std::move(message)}});
-  };
-  try {
-    auto result = work();
-    if (result) return *std::move(result);
-    return tl::unexpected<Problems>(Problems{std::move(result.error())});
-  } catch (const std::bad_alloc&) {
-    return fault("out of memory");
-  } catch (const cv::Exception& error) {
-    if (error.code == cv::Error::StsNoMem) return fault("out of memory");
-    return fault(fmt::format("OpenCV failed in {}: {}", error.func, error.err));
-  }
 }
 
 void check_job(const Job& job, Problems& problems) {

@@ -14,6 +14,10 @@ constexpr double kSpacings[] = {0.3, 0.6, 1, 1.5, 2.5, 4};
 constexpr double kSameDirection = 12 * kPi / 180;
 constexpr std::size_t kMostSamples = 30000;
 
+// Binomial, near a normal distribution of deviation 1.4 px. With whole weights all sums are whole numbers below 2^24,
+// which are the same in whatever order they are added.
+const cv::Matx<float, 9, 1> kSmooth(1, 8, 28, 56, 70, 56, 28, 8, 1);
+
 // The structure tensor of all classes' indicators: across a border the largest change.
 struct Tensor {
   cv::Mat1f xx, xy, yy;
@@ -26,7 +30,7 @@ Tensor tensor_of(const cv::Mat1b& labels) {
     cv::Mat1b is_k = labels == k;
     if (cv::countNonZero(is_k) == 0) continue;
     cv::Mat1f smooth, dx, dy;
-    cv::GaussianBlur(cv::Mat1f(is_k / 255.0), smooth, {}, 1.5);
+    cv::sepFilter2D(cv::Mat1f(is_k / 255.0), smooth, CV_32F, kSmooth, kSmooth);
     cv::Sobel(smooth, dx, CV_32F, 1, 0);
     cv::Sobel(smooth, dy, CV_32F, 0, 1);
     t.xx += dx.mul(dx);
@@ -92,7 +96,7 @@ double alignment(const std::vector<Border>& borders, int times) {
     const SinCos turn = sin_cos(times * b.direction);
     cosine += turn.cos, sine += turn.sin;
   }
-  return borders.empty() ? 0 : std::hypot(cosine, sine) / static_cast<double>(borders.size());
+  return borders.empty() ? 0 : std::sqrt(cosine * cosine + sine * sine) / static_cast<double>(borders.size());
 }
 
 }  // namespace

@@ -32,9 +32,6 @@ int sides_of(const Ring& ring) {
   return corners;
 }
 
-struct Weighted {
-  double value, weight;
-};
 Moment moment_of(const std::vector<Weighted>& values) {
   Moment m;
   double sum = 0, squares = 0;
@@ -53,7 +50,7 @@ CellStatistics cell_statistics(const std::vector<Ring>& cells, const Window& win
   s.cells = static_cast<int>(cells.size());
   const Point size = window.size();
   const double touch = 1e-6 * std::max(size.x, size.y);
-  std::vector<Weighted> areas, perimeters, sides;
+  std::vector<Weighted> perimeters, sides;
   for (const Ring& ring : cells) {
     const auto [low, high] = box_of(ring);
     const bool cut = low.x <= window.low.x + touch || low.y <= window.low.y + touch ||
@@ -62,7 +59,7 @@ CellStatistics cell_statistics(const std::vector<Ring>& cells, const Window& win
     ++s.inner;
     const double weight = 1 / ((size.x - (high.x - low.x)) * (size.y - (high.y - low.y)));
     const int corners = sides_of(ring);
-    areas.push_back({std::abs(signed_area(ring)), weight});
+    s.areas.push_back({std::abs(signed_area(ring)), weight});
     perimeters.push_back({perimeter(ring), weight});
     sides.push_back({static_cast<double>(corners), weight});
     s.per_area += weight;
@@ -70,9 +67,10 @@ CellStatistics cell_statistics(const std::vector<Ring>& cells, const Window& win
     s.side_shares[corners] += weight;
   }
   for (double& share : s.side_shares) share /= s.per_area;
-  s.area = moment_of(areas);
+  s.area = moment_of(s.areas);
   s.perimeter = moment_of(perimeters);
   s.sides = moment_of(sides);
+  std::stable_sort(s.areas.begin(), s.areas.end(), [](auto a, auto b) { return a.value < b.value; });
   return s;
 }
 

@@ -14,10 +14,14 @@ namespace tessera::statistics {
 struct Moment {
   double mean = 0, variance = 0, error = 0;  // `error` of the mean, as if cells were independent
 };
+struct Weighted {
+  double value, weight;
+};
 struct CellStatistics {
   int cells = 0, inner = 0;  // all, and those that the window does not cut
   double per_area = 0;       // cells a unit of area
   Moment area, perimeter, sides;
+  std::vector<Weighted> areas;      // of the inner cells, the least first
   std::vector<double> side_shares;  // of cells with that many sides, from 0
 };
 

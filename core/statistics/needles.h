@@ -26,7 +26,7 @@ struct NeedleStatistics {
   double variogram = 0;        // V(d): mean square of the difference of colours, summed over red, green and blue
   double autocorrelation = 0;  // rho(d), of grey levels
   std::vector<double> transitions;                            // P_ij(d), row after row: given i, the chance of j
-  std::array<double, kGreyBins * kGreyBins> co_occurrence{};  // chance of the two grey levels
+  std::array<double, std::size_t{kGreyBins} * kGreyBins> co_occurrence{};  // chance of the two grey levels
   std::array<double, kDifferenceBins> difference{};           // D: chance of that difference of grey levels
 };
 

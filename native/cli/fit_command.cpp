@@ -25,26 +25,12 @@ Result<Fit> fit_bytes(const std::string& bytes, const FitCommand& command) {
   return fit_pattern(picture->view(), command.seed, context);
 }
 
-Job job_of(const Fit& fit, std::uint64_t seed) { return {.seed = seed, .params = fit.params, .inputs = {}}; }
-
 std::string report_of(const FitCommand& command, const std::string& bytes, const Fit& fit) {
-  Json candidates = Json::array();
-  for (const Candidate& c : fit.candidates) {
-    patterns::Params params;
-    params.model = c.model;
-    candidates.push_back({{"model", write_params(params)["model"]},
-                          {"lambda", c.number},
-                          {"distance", c.distance},
-                          {"w_residual", c.residual}});
-  }
-  const Json report = {{"tessera", TESSERA_VERSION},
-                       {"technique", "fit"},
-                       {"seed", command.seed},
-                       {"inputs", {{{"path", command.path}, {"sha256", sha256_hex(bytes)}}}},
-                       {"model", candidates[0]["model"]},
-                       {"lambda", candidates[0]["lambda"]},
-                       {"candidates", candidates},
-                       {"job", job_to_json(job_of(fit, command.seed))}};
+  Json report = {{"tessera", TESSERA_VERSION},
+                 {"technique", "fit"},
+                 {"seed", command.seed},
+                 {"inputs", {{{"path", command.path}, {"sha256", sha256_hex(bytes)}}}}};
+  report.update(fit_to_json(fit, command.seed));
   return report.dump(1) + "\n";
 }
 

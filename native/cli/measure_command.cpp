@@ -1,7 +1,5 @@
 #include "tessera/cli/measure_command.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -14,47 +12,25 @@
 #include "tessera/io/picture.h"
 #include "tessera/io/sha256.h"
 #include "tessera/job/measure.h"
-#include "tessera/statistics/classes.h"
 
 namespace tessera {
 namespace {
 
 constexpr std::uint64_t kMaxPixels = 100'000'000;
 
-void check(const Measure& m, Problems& problems) {
-  const auto wrong = [&](const char* field, std::string message) {
-    problems.push_back({StatusCode::kInvalidParameter, field, std::move(message)});
-  };
-  std::vector<std::string> names;
-  for (const auto& model : statistics::cell_models()) names.emplace_back(model.name);
-  if (!m.model.empty() && std::find(names.begin(), names.end(), m.model) == names.end())
-    wrong("model", fmt::format("is {}, expected {}", shown(Json(m.model)), either_of(names)));
-  if (!m.model.empty() && !(m.lambda > 0 && m.lambda < 1e9))
-    wrong("lambda", "is missing or not above 0, expected the model's number");
-  if (std::any_of(m.distances.begin(), m.distances.end(), [](double d) { return !(d > 0 && d < 1e9); }))
-    wrong("distances", "are not all above 0, expected lengths");
-  if (std::any_of(m.window.begin(), m.window.end(), [](double d) { return !(d > 0 && d < 1e9); }))
-    wrong("window", "is not above 0, expected a width and a height");
-  if (m.needles < 1 || m.needles > 100'000'000) wrong("needles", "is out of range, expected 1 to 100000000");
-  if (m.colors == 1 || m.colors < 0 || m.colors > statistics::kMostClasses)
-    wrong("colors",
-          fmt::format("is {}, expected 2 to {}, or 0 for as many as there are", m.colors, statistics::kMostClasses));
-  for (const std::string& path : m.outputs) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    if (path != "-" && extension != ".json" && extension != ".csv") wrong(path.c_str(), "is neither .json nor .csv");
-  }
+tl::expected<MeasureOptions, Problems> options_of(const Measure& m) {
+  Json json = {{"distances", m.distances}, {"needles", m.needles}, {"colors", m.colors}, {"seed", m.seed}};
+  if (!m.model.empty()) json.update({{"model", m.model}, {"lambda", m.lambda}});
+  if (!m.window.empty()) json["window"] = m.window;
+  return read_measure_options(json);
 }
 
-MeasureOptions options_of(const Measure& m) {
-  MeasureOptions options;
-  for (const auto& model : statistics::cell_models())
-    if (model.name == m.model) options.comparison = Comparison{model.model, m.lambda};
-  options.distances = m.distances;
-  options.needles = m.needles;
-  options.colors = m.colors;
-  if (m.window.size() == 2) options.width = m.window[0], options.height = m.window[1];
-  options.seed = m.seed;
-  return options;
+void check_outputs(const Measure& m, Problems& problems) {
+  for (const std::string& path : m.outputs) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (path != "-" && extension != ".json" && extension != ".csv")
+      problems.push_back({StatusCode::kInvalidParameter, path, "is neither .json nor .csv"});
+  }
 }
 
 bool looks_like_text(const std::string& bytes) {
@@ -66,18 +42,18 @@ bool looks_like_text(const std::string& bytes) {
          bytes.compare(0, 2, "BM") != 0 && bytes.compare(0, 4, "RIFF") != 0;
 }
 
-Result<Measured> measure_bytes(const std::string& bytes, const Measure& m) {
+Result<Measured> measure_bytes(const std::string& bytes, const MeasureOptions& options, std::uint64_t max_pixels) {
   RunContext context;
   context.stop = &stop_flag();
   if (looks_like_text(bytes)) {
     auto file = read_pattern_file(bytes);
     if (!file) return tl::unexpected<Status>(std::move(file.error()));
-    return measure_pattern(*file, options_of(m), context);
+    return measure_pattern(*file, options, context);
   }
   auto picture = decode_picture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
-                                m.max_pixels > 0 ? m.max_pixels : kMaxPixels);
+                                max_pixels > 0 ? max_pixels : kMaxPixels);
   if (!picture) return tl::unexpected<Status>(std::move(picture.error()));
-  return measure_picture(picture->view(), options_of(m), context);
+  return measure_picture(picture->view(), options, context);
 }
 
 std::string report_of(const Measure& m, const std::string& bytes, const Json& json) {
@@ -156,11 +132,13 @@ CLI::App& add_measure_command(CLI::App& app, Measure& m) {
 
 int run_measure(const Measure& m) {
   Problems problems;
-  check(m, problems);
+  const auto options = options_of(m);
+  if (!options) problems = options.error();
+  check_outputs(m, problems);
   if (!problems.empty()) return print_problems(problems);
   auto bytes = read_file(m.path);
   if (!bytes) return print_problems({std::move(bytes.error())});
-  auto measured = measure_bytes(*bytes, m);
+  auto measured = measure_bytes(*bytes, *options, m.max_pixels);
   if (!measured) {
     if (measured.error().field.empty()) measured.error().field = input_name(m.path);
     return print_problems({std::move(measured.error())});

@@ -7,7 +7,9 @@ import { root } from './root.mjs';
 
 const tessera = join(root, 'build/native-release/bin/tessera');
 
-export const native = (...words) => execFileSync(tessera, [...words, '--backend', 'cpu', '--quiet']);
+/** What it writes to standard output. */
+export const nativeOutput = (...words) => execFileSync(tessera, words);
+export const native = (...words) => nativeOutput(...words, '--backend', 'cpu', '--quiet');
 
 export async function inFolder(use) {
   const folder = mkdtempSync(join(tmpdir(), 'tessera-'));

@@ -111,6 +111,100 @@ test('stops when it is told to', async () => {
   assert.ok(core.run(job).counts.stones > 0);
 });
 
+const pattern = (params) => ({ schemaVersion: 1, technique: 'pattern', seed: 3, params, inputs: {} });
+
+/** What `tessera COMMAND` reports of a file with these bytes. */
+function nativeReport(command, name, bytes) {
+  const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
+  try {
+    writeFileSync(join(folder, name), bytes);
+    const { tessera: _, technique, inputs, seed, ...report } = JSON.parse(execFileSync(tessera, [command, join(folder, name)]));
+    return report;
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** Squares in black and white by chance, a little turned: the pixels, and the same as a BMP file. */
+function board(size, side) {
+  const { picture, file } = disc(size);
+  const [cos, sin] = [Math.cos(0.3), Math.sin(0.3)];
+  for (let i = 0; i < size * size; ++i) {
+    const [x, y] = [i % size, Math.floor(i / size)];
+    const [u, v] = [x * cos + y * sin, y * cos - x * sin].map((along) => Math.floor(along / side));
+    const level = Math.sin(u * 12.9898 + v * 78.233) * 43758.5453;
+    picture.data.fill(level - Math.floor(level) < 0.5 ? 0 : 255, 4 * i, 4 * i + 3);
+  }
+  file.set(picture.data, 54);
+  return { picture, file };
+}
+
+for (const threads of [1, 2]) {
+  test(`measures and fits as the native program does, with ${threads} thread(s)`, async () => {
+    const core = await createTessera({ threads });
+    for (const params of [{ model: 'occupancy' }, { model: 'hexagon', size: 17 }, { model: 'points', size: 11 }]) {
+      core.run(core.readJob(JSON.stringify(pattern(params))));
+      const { bytes } = core.artifact('svg');
+      const { report, csv, plots } = core.measure(bytes);
+      assert.deepEqual(report, nativeReport('measure', 'pattern.svg', bytes));
+      assert.equal(csv.trim().split('\n').length, 25);
+      const [first] = plots;
+      assert.equal(first.series.length, 2, 'what was measured, and the closed form');
+      assert.equal(first.series[0].points.length, 24);
+      assert.match(first.svg, /^<\?xml|^<svg/);
+      if (params.model !== 'points') {
+        assert.deepEqual(plots.map(({ name }) => name), ['same_cell', 'areas', 'sides']);
+        const { bins, series } = plots[2];
+        assert.equal(bins.length, series[0].values.length);
+      }
+    }
+    const { picture, file } = board(240, 12);
+    assert.deepEqual(core.measure(picture).report, nativeReport('measure', 'board.bmp', file));
+    const progress = [];
+    const fit = core.fit(picture, { onProgress: (fraction) => progress.push(fraction) });
+    assert.deepEqual(fit, nativeReport('fit', 'board.bmp', file));
+    assert.equal(fit.model, 'checkerboard');
+    assert.equal(progress.at(-1), 1);
+    assert.ok(core.run(fit.job).counts.cells > 300);
+  });
+}
+
+test('names what cannot be measured or fitted', async () => {
+  const core = await createTessera({ threads: 1 });
+  const problems = (act) => {
+    try {
+      act();
+    } catch (error) {
+      return error.problems.map(({ field }) => field);
+    }
+    return [];
+  };
+  const points = new TextEncoder().encode('x,y\n1,2\n3,4\n7,3\n');
+  assert.equal(core.measure(points).report.kind, 'points');
+  const wrong = { model: 'cheese', distances: [1, -1], needles: 0.5, colors: 1, window: [1], seed: -1 };
+  assert.deepEqual(problems(() => core.measure(points, wrong)), ['model', 'lambda', 'distances', 'window', 'needles', 'colors', 'seed']);
+  assert.deepEqual(problems(() => core.measure(points, { seed: null, colors: 'x' })), ['colors', 'seed']);
+  assert.throws(() => core.measure(new TextEncoder().encode('cheese')), /neither/);
+  assert.throws(() => core.measure(new Uint8Array()), /empty/);
+  assert.throws(() => core.measure({ data: new Uint8Array(3), width: 1, height: 1 }), TesseraError);
+  assert.throws(() => core.fit({ data: new Uint8Array(4), width: 1, height: 1 }), /smaller than 32/);
+  assert.throws(() => core.fit({ data: new Uint8Array(4 * 64 * 64).fill(255), width: 64, height: 64 }), /one colour/);
+  assert.throws(() => core.fit(board(64, 8).picture, { seed: -1 }), /seed/);
+});
+
+test('statistics and fits stop when they are told to', async () => {
+  const core = await createTessera({ threads: 2 });
+  const { picture } = board(240, 12);
+  const stop = () => Atomics.store(core.stopFlag, 0, 1);
+  const cancelled = (error) => error.problems[0].code === 'cancelled';
+  assert.throws(() => core.fit(picture, { onStage: (stage) => stage === 'models' && stop() }), cancelled);
+  assert.throws(() => core.measure(picture, { onStage: (stage) => stage === 'needles' && stop() }), cancelled);
+  core.run(core.readJob(JSON.stringify(pattern({ model: 'occupancy' }))));
+  const { bytes } = core.artifact('svg');
+  assert.throws(() => core.measure(bytes, { onProgress: stop }), cancelled);
+  assert.equal(core.measure(bytes).report.kind, 'cells');
+});
+
 test('the example works', () => {
   const output = execFileSync('node', [join(root, 'web/package/examples/pave.mjs')], { encoding: 'utf8' });
   assert.match(output, /^\d+ stones\n<\?xml [^>]*>\n<svg /);

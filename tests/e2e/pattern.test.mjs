@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { closeBrowser, withApp } from './browser/app.mjs';
 import { checkLook, looks } from './browser/looks.mjs';
-import { inFolder, nativeFile, nativeSvg } from './native.mjs';
+import { inFolder, nativeFile, nativeOutput, nativeSvg } from './native.mjs';
 import { root } from './root.mjs';
 import { assertSameStones } from './same_stones.mjs';
 
@@ -248,8 +248,210 @@ test('a picture tells where points are many', async () => {
   });
 });
 
+/** Opens the statistics, and waits until they are those of the pattern that is shown. */
+async function statistics(page) {
+  const fold = page.getByRole('button', { name: 'Statistics', exact: true });
+  if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.press('Enter');
+  await measured(page);
+}
+
+const measured = async (page) => {
+  await page.locator('.statistics-body[aria-busy=false] .chart').waitFor();
+};
+
+/** What the native program reports of a file, but for what it says of that file. */
+function nativeReport(command, { name, bytes }) {
+  return inFolder((folder) => {
+    writeFileSync(join(folder, name), bytes);
+    const { inputs, seed, ...report } = JSON.parse(nativeOutput(command, join(folder, name)));
+    return report;
+  });
+}
+
+const savedReport = async (app) => {
+  const { job, ...report } = JSON.parse((await app.downloadBy(app.button('Save statistics as JSON'))).text);
+  return { job, report };
+};
+
+for (const isolated of [true, false]) {
+  const build = isolated ? 'threads' : 'single';
+
+  test(`${build}: statistics of what is shown, the same as the native program's`, async () => {
+    await withPattern({ isolated }, async (app, page) => {
+      await statistics(page);
+      const shown = [['Occupancy', 'SVG', 'cells'], ['Hexagon', 'SVG', 'cells'], ['Points', 'SVG', 'points'], ['Circles', 'PNG', 'picture']];
+      for (const [model, kind, what] of shown) {
+        if (model !== 'Occupancy') await choose(app, model);
+        await measured(page);
+        const { job, report } = await savedReport(app);
+        assert.deepEqual(job, await jobOf(app));
+        assert.equal(report.kind, what);
+        assert.deepEqual(report, await nativeReport('measure', await app.download(kind)));
+      }
+    });
+  });
+
+  test(`${build}: a picture is fitted, and more of the same made`, async () => {
+    await withPattern({ isolated, hash: '#technique=pattern&model=hexagon&size=14&width=300&height=200' }, async (app, page) => {
+      const picture = await app.download('PNG');
+      await inFolder(async (folder) => {
+        const path = join(folder, 'tiles.png');
+        writeFileSync(path, picture.bytes);
+        await choose(app, 'Occupancy');
+        await page.getByLabel('Picture to fit').setInputFiles(path);
+        await app.button('Use').waitFor();
+        await page.locator('.fit-best').getByText('Hexagon').waitFor();
+        const report = await nativeReport('fit', picture);
+        const rows = await page.locator('.fit-result tbody tr').allInnerTexts();
+        assert.equal(rows.length, report.candidates.length);
+        const digits = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
+        for (const [i, { distance, w_residual: residual }] of report.candidates.entries())
+          assert.deepEqual(rows[i].trim().split(/\s+/).slice(-2), [digits.format(distance), digits.format(residual)]);
+        assert.equal((await jobOf(app)).params.model, 'occupancy', 'nothing changes before it is used');
+        await change(app, () => app.button('Use').click());
+        const job = await jobOf(app);
+        assert.deepEqual(job.params, report.job.params);
+        const [seen] = await coloursAt(page, await beforeOf(page), [[0.5, 0.5]]);
+        const [own] = await coloursAt(page, picture.bytes, [[0.5, 0.5]]);
+        assert.ok(own.every((level, c) => Math.abs(level - seen[c]) < 16), `${seen} before, ${own} in the picture`);
+        await change(app, () => app.button('Undo').click());
+        assert.equal((await jobOf(app)).params.model, 'occupancy');
+        assert.equal(await page.getByRole('slider', { name: 'Before and after' }).count(), 0);
+      });
+    });
+  });
+}
+
+/** The stage with the divider at its right end. */
+async function beforeOf(page) {
+  await page.getByRole('slider', { name: 'Before and after' }).press('End');
+  return page.locator('.stage-canvas').screenshot();
+}
+
+test('the curve and the numbers are chosen and read without a mouse', async () => {
+  await withPattern({}, async (app, page) => {
+    await statistics(page);
+    const chart = page.locator('.chart svg');
+    assert.match(await chart.getAttribute('aria-label'), /^Both ends of a needle in one cell.*beside closed form$/);
+    assert.equal(await page.locator('.chart-series[data-series="1"] path').count(), 1);
+    await app.button('Sides').press('Enter');
+    assert.match(await chart.getAttribute('aria-label'), /^Sides.* 6: 0\.\d/);
+    await app.button('Areas').press('Space');
+    assert.match(await chart.getAttribute('aria-label'), /^Areas/);
+    const { report } = await savedReport(app);
+    const row = page.locator('.figures tr', { hasText: 'Sides' });
+    const [told] = /[\d.]+(?= ±)/.exec(await row.innerText());
+    assert.ok(Math.abs(told - report.sides.mean) < report.sides.error / 5, `${told} for ${report.sides.mean}`);
+    await choose(app, 'Delaunay'); // which has no W
+    await measured(page);
+    await app.button('W(d)').click();
+    assert.equal(await page.locator('.chart-series').count(), 1);
+    await change(app, () => app.set('Size', 40));
+    await measured(page);
+    assert.deepEqual((await savedReport(app)).job, await jobOf(app));
+    await page.getByRole('button', { name: 'Statistics', exact: true }).press('Enter');
+    assert.equal(await chart.count(), 0);
+  });
+});
+
+/** Files dropped on an element, as a hand does it. */
+async function drop(page, selector, name, buffer) {
+  const transfer = await page.evaluateHandle(
+    ([name, bytes]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name, { type: 'image/png' }));
+      return data;
+    },
+    [name, buffer.toString('base64')],
+  );
+  for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent(selector, type, { dataTransfer: transfer });
+}
+
+for (const isolated of [true, false]) {
+  test(`${isolated ? 'threads' : 'single'}: a fit can be cancelled, and gives way to a run`, async () => {
+    await withPattern({ isolated }, async (app, page) => {
+      const coast = join(root, 'public/samples/coast.png');
+      await page.getByLabel('Picture to fit').setInputFiles(coast);
+      await app.button('Cancel fit').press('Enter');
+      await app.button('Cancel fit').waitFor({ state: 'detached' });
+      await page.getByLabel('Picture to fit').setInputFiles(coast);
+      await app.button('Cancel fit').waitFor();
+      await choose(app, 'Triangle');
+      await app.button('Cancel fit').waitFor({ state: 'detached' });
+      assert.equal(await app.button('Use').count(), 0);
+      assert.equal(await page.getByRole('alert').count(), 0);
+      assert.equal((await jobOf(app)).params.model, 'triangle');
+      await statistics(page);
+      assert.equal((await savedReport(app)).report.comparison.model, 'triangle');
+    });
+  });
+}
+
+test('pictures to fit are dropped there, or are there already; what is none is refused in words', async () => {
+  await withPattern({}, async (app, page) => {
+    await drop(page, '.fit', 'cheese.png', Buffer.from('cheese'));
+    await page.getByRole('alert').getByText('“cheese.png” is not a picture that can be read', { exact: false }).waitFor();
+    const blank = await page.evaluate(async () => {
+      const canvas = new OffscreenCanvas(64, 64);
+      canvas.getContext('2d').fillRect(0, 0, 64, 64);
+      return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())];
+    });
+    await drop(page, '.fit', 'black.png', Buffer.from(blank));
+    await page.getByRole('alert').getByText('“black.png” has one colour only', { exact: false }).waitFor();
+    const job = await jobOf(app);
+    assert.deepEqual(job.inputs, {}, 'it tells nothing about density');
+    await app.openTab('Pavement');
+    await change(app, () => page.getByRole('tab', { name: 'Pattern' }).click());
+    await app.button('waves.png').click();
+    await change(app, () => app.button('Use').click());
+    const { params } = await jobOf(app);
+    const { width, height } = params;
+    assert.deepEqual([width, height], [1024, 1024]);
+    await page.getByRole('slider', { name: 'Before and after' }).waitFor();
+  });
+});
+
+test('a pattern of nothing has no statistics, and says so', async () => {
+  await withPattern({}, async (app, page) => {
+    await page.locator('.more summary').click();
+    await change(app, () => app.set('Intensity', 0));
+    await page.getByRole('button', { name: 'Statistics', exact: true }).click();
+    await page.getByRole('alert').getByText('nothing to measure').waitFor();
+    await change(app, () => app.button('Undo').click());
+    await measured(page);
+  });
+});
+
+test('noise of many cells is there soon, its other files when they are asked for', async () => {
+  await withPattern({ hash: '#technique=pattern&model=gaussian&width=256&height=256' }, async (app, page) => {
+    assert.equal(await app.link('Download SVG').count(), 0);
+    assert.equal(piecesIn((await app.demand('SVG')).text), 65536);
+    assert.equal(piecesIn((await app.demand('SVG')).text), 65536);
+    await statistics(page);
+    assert.deepEqual((await savedReport(app)).report, await nativeReport('measure', await app.download('PNG')));
+  });
+});
+
 for (const { name, ...look } of looks) {
   test(`${name}: axe finds no serious violation on the pattern's tab`, async () => {
-    await withPattern(look, (_, page) => checkLook(page, `pattern-${name}`));
+    await withPattern(look, async (_, page) => {
+      if (name.startsWith('desktop')) await measured(page); // which is unfolded where there is room
+      await checkLook(page, `pattern-${name}`);
+    });
+  });
+
+  test(`${name}: axe finds no serious violation in statistics and fit`, async () => {
+    await withPattern(look, async (app, page) => {
+      const picture = await app.download('PNG');
+      await statistics(page);
+      const buffer = picture.bytes;
+      await page.getByLabel('Picture to fit').setInputFiles({ name: 'cells.png', mimeType: 'image/png', buffer });
+      await page.locator('.fit-result').waitFor({ state: 'attached' });
+      await checkLook(page, `pattern-statistics-${name}`);
+      const handle = app.button('Parameters');
+      if (await handle.isVisible()) await handle.click(); // a phone
+      await app.button('Use').scrollIntoViewIfNeeded();
+      await checkLook(page, `pattern-fit-${name}`);
+    });
   });
 }

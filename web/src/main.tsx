@@ -5,10 +5,12 @@ import './style/layout.css';
 import './style/controls.css';
 import './style/stage.css';
 import './style/field.css';
+import './style/statistics.css';
 import './style/phone.css';
 import { bindViewport } from './stage/viewport';
 import { bindAddress, openAddress } from './state/address';
 import { bindKeys } from './state/keys';
+import { bindStatistics } from './state/statistics';
 import { engine, graphics, outcome } from './state/store';
 import { bindTheme } from './state/theme';
 import { App } from './ui/App';
@@ -29,6 +31,7 @@ effect(() => {
 bindTheme();
 bindViewport();
 bindKeys();
+bindStatistics();
 
 void openAddress().then(bindAddress);
 

@@ -1,10 +1,12 @@
 // What JavaScript sees: functions over texts, numbers and byte arrays. Jobs and answers travel as JSON, bytes are
 // copied, and no C++ object leaves. web/package/src/index.ts wraps these into the interface that programs use.
 #include <emscripten/bind.h>
+#include <fmt/format.h>
 
 #include <opencv2/core/utility.hpp>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "engine.h"
 #include "tessera/base/colour.h"
@@ -90,10 +92,14 @@ void set_threads(int threads) { cv::setNumThreads(threads); }
 
 std::uintptr_t stop_address() { return reinterpret_cast<std::uintptr_t>(&engine().stop()); }
 
-// `rgba` is a Uint8Array, straight alpha. Empty, or problems.
-std::string set_input(const std::string& role, const val& rgba, int width, int height) {
-  auto picture = engine().new_picture(role, width, height);
-  if (!picture) return problems_text({picture.error()});
+// Of a Uint8Array of straight alpha. kInvalidInput, in the name of `role`, for a size that cannot be.
+Result<cv::Mat3b> picture_of(const std::string& role, const val& rgba, int width, int height) {
+  constexpr double kMaxPixels = 1e8;
+  if (width < 1 || height < 1 || static_cast<double>(width) * height > kMaxPixels)
+    return fail(StatusCode::kInvalidInput, role,
+                fmt::format("is {} x {} px, expected at least one pixel and at most {:.0f} Mpx", width, height,
+                            kMaxPixels / 1e6));
+  cv::Mat3b picture(height, width);
   std::vector<std::uint8_t> row(4 * static_cast<std::size_t>(width));
   const val target(emscripten::typed_memory_view(row.size(), row.data()));
   for (int y = 0; y < height; ++y) {
@@ -101,9 +107,17 @@ std::string set_input(const std::string& role, const val& rgba, int width, int h
     target.call<void>("set", rgba.call<val>("subarray", begin, begin + static_cast<double>(row.size())));
     for (int x = 0; x < width; ++x) {
       const std::uint8_t* from = &row[4 * static_cast<std::size_t>(x)];
-      for (int c = 0; c < 3; ++c) (*picture)(y, x)[c] = over_white(from[c], from[3]);
+      for (int c = 0; c < 3; ++c) picture(y, x)[c] = over_white(from[c], from[3]);
     }
   }
+  return picture;
+}
+
+// Empty, or problems.
+std::string set_input(const std::string& role, const val& rgba, int width, int height) {
+  auto picture = picture_of(role, rgba, width, height);
+  if (!picture) return problems_text({picture.error()});
+  engine().set_picture(role, *std::move(picture));
   return "";
 }
 
@@ -171,6 +185,73 @@ val artifact(const std::string& format) {
   return object;
 }
 
+// ---- Statistics
+
+Json points_json(const std::vector<Point>& points) {
+  Json list = Json::array();
+  for (const Point p : points) list.push_back({p.x, p.y});
+  return list;
+}
+
+// Curves have points, histograms values over bins.
+Json to_json(const Plot& plot) {
+  Json json = {{"name", plot.name}, {"svg", write_plot(plot)}, {"series", Json::array()}};
+  std::visit(
+      [&](const auto& figure) {
+        json["title"] = figure.title;
+        json["xLabel"] = figure.x_label;
+        json["yLabel"] = figure.y_label;
+      },
+      plot.figure);
+  if (const auto* curves = std::get_if<Curves>(&plot.figure)) {
+    for (const auto& series : curves->series)
+      json["series"].push_back({{"name", series.name}, {"points", points_json(series.points)}});
+  } else {
+    const auto& histogram = std::get<Histogram>(plot.figure);
+    json["bins"] = histogram.bins;
+    for (const auto& series : histogram.series)
+      json["series"].push_back({{"name", series.name}, {"values", series.values}});
+  }
+  return json;
+}
+
+// What `measure` makes of the options, or problems.
+template <class Measure>
+std::string measured_text(const std::string& options_text, const Measure& measure) {
+  const auto options = read_measure_options(Json::parse(options_text));
+  if (!options) return problems_text(options.error());
+  const auto measured = measure(*options);
+  if (!measured) return problems_text(measured.error());
+  Json plots = Json::array();
+  for (const Plot& plot : measured->plots) plots.push_back(to_json(plot));
+  return to_text({{"report", measured->json}, {"csv", measured->csv}, {"plots", plots}});
+}
+
+// `bytes` is a Uint8Array with a file of cells or points; `options` as read_measure_options() has them.
+std::string measure_file(const val& bytes, const std::string& options, const val& watcher) {
+  const std::string file = bytes.as<std::string>();
+  return measured_text(options,
+                       [&](const MeasureOptions& o) { return engine().measure(file, o, context_for(watcher)); });
+}
+
+std::string measure_pixels(const val& rgba, int width, int height, const std::string& options, const val& watcher) {
+  const auto picture = picture_of("", rgba, width, height);
+  if (!picture) return problems_text({picture.error()});
+  return measured_text(options,
+                       [&](const MeasureOptions& o) { return engine().measure(*picture, o, context_for(watcher)); });
+}
+
+std::string fit(const val& rgba, int width, int height, double seed, const val& watcher) {
+  if (!(seed >= 0 && seed <= static_cast<double>(kMaxSeed)))
+    return problems_text(
+        {{StatusCode::kInvalidParameter, "seed", fmt::format("is {}, expected 0 to {}", seed, kMaxSeed)}});
+  const auto picture = picture_of("", rgba, width, height);
+  if (!picture) return problems_text({picture.error()});
+  const auto whole_seed = static_cast<std::uint64_t>(seed);
+  const auto found = engine().fit(*picture, whole_seed, context_for(watcher));
+  return found ? to_text(fit_to_json(*found, whole_seed)) : problems_text(found.error());
+}
+
 }  // namespace
 }  // namespace tessera
 
@@ -187,4 +268,7 @@ EMSCRIPTEN_BINDINGS(tessera) {
   emscripten::function("run", &tessera::run);
   emscripten::function("preview", &tessera::preview);
   emscripten::function("artifact", &tessera::artifact);
+  emscripten::function("measureFile", &tessera::measure_file);
+  emscripten::function("measurePixels", &tessera::measure_pixels);
+  emscripten::function("fit", &tessera::fit);
 }

@@ -1,29 +1,22 @@
 #include "engine.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "tessera/gpu/gl_rasterizer.h"
+#include "tessera/job/guarded.h"
 #include "tessera/job/techniques.h"
 #include "tessera/voronoi/cpu_rasterizer.h"
 #include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
 
-Result<cv::Mat3b> Engine::new_picture(const std::string& role, int width, int height) {
-  constexpr double kMaxPixels = 1e8;
-  if (width < 1 || height < 1 || static_cast<double>(width) * height > kMaxPixels) {
-    return fail(StatusCode::kInvalidInput, role,
-                fmt::format("is {} x {} px, expected at least one pixel and at most {:.0f} Mpx", width, height,
-                            kMaxPixels / 1e6));
-  }
-  cv::Mat3b& picture = pictures_[role];
-  picture.create(height, width);
-  return picture;
+namespace {
+
+ImageView view_of(const cv::Mat3b& picture) {
+  return {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
 }
 
-void Engine::forget_picture(const std::string& role) { pictures_.erase(role); }
+}  // namespace
 
 Result<void> Engine::use_gl(bool software) {
   gl_is_software_ = software;
@@ -46,15 +39,17 @@ std::unique_ptr<Rasterizer> Engine::make_rasterizer(BackendChoice choice, const 
   return cpu;
 }
 
+void Engine::begin(RunContext& context) {
+  stop_ = 0;
+  context.stop = &stop_;
+}
+
 tl::expected<const Outcome*, Problems> Engine::run(const Job& job, BackendChoice choice, RunContext context,
                                                    const IterationObserver& observer, std::string& backend) {
   finished_.reset();  // its memory is wanted now
-  stop_ = 0;
-  context.stop = &stop_;
+  begin(context);
   Pictures pictures;
-  for (const auto& [role, picture] : pictures_) {
-    pictures[role] = {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
-  }
+  for (const auto& [role, picture] : pictures_) pictures[role] = view_of(picture);
   const auto rasterizer = make_rasterizer(choice, context);
   auto outcome = compute_job(job, pictures, *rasterizer, context, observer, /*records=*/true);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
@@ -70,6 +65,27 @@ tl::expected<Artifact, Problems> Engine::artifact(const std::string& format) con
   }
   auto artifacts = write_artifacts(finished_->job, finished_->outcome, {.formats = {format}}, {});
   return artifacts.map([](std::vector<Artifact>& all) { return std::move(all.front()); });
+}
+
+tl::expected<Measured, Problems> Engine::measure(const cv::Mat3b& picture, const MeasureOptions& options,
+                                                 RunContext context) {
+  begin(context);
+  return guarded([&] { return measure_picture(view_of(picture), options, context); });
+}
+
+tl::expected<Measured, Problems> Engine::measure(std::string_view file, const MeasureOptions& options,
+                                                 RunContext context) {
+  begin(context);
+  return guarded([&]() -> Result<Measured> {
+    const auto read = read_pattern_file(file);
+    if (!read) return tl::unexpected<Status>(read.error());
+    return measure_pattern(*read, options, context);
+  });
+}
+
+tl::expected<Fit, Problems> Engine::fit(const cv::Mat3b& picture, std::uint64_t seed, RunContext context) {
+  begin(context);
+  return guarded([&] { return fit_pattern(view_of(picture), seed, context); });
 }
 
 }  // namespace tessera

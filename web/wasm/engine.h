@@ -7,9 +7,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "tessera/job/fit.h"
 #include "tessera/job/job.h"
+#include "tessera/job/measure.h"
 
 namespace tessera {
 
@@ -17,24 +21,30 @@ enum class BackendChoice { kAuto, kCpu, kGl };
 
 class Engine {
  public:
-  // Pixels of the role's picture for the caller to fill: RGB, rows from the top. kInvalidInput for a size that cannot
-  // be.
-  Result<cv::Mat3b> new_picture(const std::string& role, int width, int height);
-  void forget_picture(const std::string& role);
+  // Keeps the role's picture for the runs that follow: RGB, rows from the top.
+  void set_picture(const std::string& role, cv::Mat3b picture) { pictures_[role] = std::move(picture); }
+  void forget_picture(const std::string& role) { pictures_.erase(role); }
 
   // Tells that a WebGL2 context is current on this thread. Fails where the diagram cannot be drawn with it.
   Result<void> use_gl(bool software);
 
-  // The result stays for artifact() until the next run, with its iterations for "apng". Whatever the choice, the CPU takes over where GL fails on the
-  // way. `backend` is set to the one that drew last.
+  // The result stays for artifact() until the next run, with its iterations for "apng". Whatever the choice, the CPU
+  // takes over where GL fails on the way. `backend` is set to the one that drew last.
   tl::expected<const Outcome*, Problems> run(const Job& job, BackendChoice choice, RunContext context,
                                              const IterationObserver& observer, std::string& backend);
   tl::expected<Artifact, Problems> artifact(const std::string& format) const;
 
-  // Non-zero ends the run that is going on.
+  // Of a picture, or of the bytes of a file that read_pattern_file() knows.
+  tl::expected<Measured, Problems> measure(const cv::Mat3b& picture, const MeasureOptions& options,
+                                           RunContext context);
+  tl::expected<Measured, Problems> measure(std::string_view file, const MeasureOptions& options, RunContext context);
+  tl::expected<Fit, Problems> fit(const cv::Mat3b& picture, std::uint64_t seed, RunContext context);
+
+  // Non-zero ends what is going on.
   std::atomic<int>& stop() { return stop_; }
 
  private:
+  void begin(RunContext& context);
   std::unique_ptr<Rasterizer> make_rasterizer(BackendChoice choice, const RunContext& context);
 
   struct Finished {

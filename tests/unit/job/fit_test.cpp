@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "tessera/base/portable_math.h"
 #include "tessera/formats/formats.h"
@@ -49,6 +51,17 @@ TEST(FitTest, NamesTheModelThatMadeThePictureAndItsNumber) {
     EXPECT_EQ(fit->params.model, model);
     EXPECT_NEAR(fit->candidates[0].number / number, 1, tolerance + 1e-9) << static_cast<int>(model);
   }
+}
+
+// Its squares change colour twice as often as by chance.
+TEST(FitTest, AChessboardIsNoNoise) {
+  constexpr int kSide = 240, kSquare = 12;
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < kSide * kSide; ++i)
+    pixels.insert(pixels.end(), 3, (i % kSide / kSquare + i / kSide / kSquare) % 2 == 0 ? 0 : 255);
+  const auto fit = fit_pattern({pixels.data(), kSide, kSide, std::ptrdiff_t{3} * kSide}, 1, {});
+  ASSERT_TRUE(fit.has_value());
+  EXPECT_EQ(fit->params.model, Model::kCheckerboard);
 }
 
 TEST(FitTest, TakesTheColoursAndTheirShares) {

@@ -3,7 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <numeric>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "tessera/base/portable_math.h"
 #include "tessera/formats/formats.h"
@@ -94,8 +99,22 @@ TEST(MeasureTest, CellsStandBesideTheirModelsClosedForm) {
     EXPECT_NEAR(json["sides"]["mean"].get<double>(), json["sides"]["expected"].get<double>(), 0.1);
     for (const Json& entry : json["same_cell"])
       EXPECT_NEAR(entry["value"].get<double>(), entry["expected"].get<double>(), 0.025) << entry.dump();
-    ASSERT_EQ(measured->plots.size(), 1u);
+    ASSERT_EQ(measured->plots.size(), 3u);
     EXPECT_THAT(write_plot(measured->plots[0]), HasSubstr("closed form"));
+    // All cells of a lattice are alike, which is the one closed form of areas.
+    const auto& areas = std::get<Curves>(measured->plots[1].figure);
+    const auto& points = areas.series[0].points;
+    EXPECT_EQ(areas.series.size(), model == patterns::Model::kCheckerboard ? 2u : 1u);
+    EXPECT_NEAR(points.back().y, 1, 1e-9);
+    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GE(points[i].y, points[i - 1].y);
+    // The area above the distribution is the mean.
+    double mean = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      mean += (points[i].x - points[i - 1].x) * (1 - (points[i].y + points[i - 1].y) / 2);
+    EXPECT_NEAR(mean / json["area"]["mean"].get<double>(), 1, 0.02) << mean;
+    const auto& sides = std::get<Histogram>(measured->plots[2].figure);
+    EXPECT_EQ(sides.bins[0], "3");
+    EXPECT_NEAR(std::accumulate(sides.series[0].values.begin(), sides.series[0].values.end(), 0.0), 1, 1e-9);
     EXPECT_THAT(measured->csv, testing::StartsWith("d,same_cell,expected\n"));
   }
 }
@@ -128,6 +147,39 @@ TEST(MeasureTest, PointsStandBesidePoisson) {
     if (entry["t"] <= 3) continue;
     EXPECT_NEAR(entry["k"].get<double>() / entry["poisson"].get<double>(), 1, 0.1) << entry.dump();
   }
+}
+
+TEST(MeasureTest, OptionsAreReadOrAllTheirProblemsTold) {
+  const auto fields = [](const Json& json) {
+    std::vector<std::string> names;
+    const auto options = read_measure_options(json);
+    if (!options)
+      for (const Status& problem : options.error()) names.push_back(problem.field);
+    return names;
+  };
+  const auto options = read_measure_options({{"model", "hexagon"}, {"lambda", 7}, {"window", {30, 20}}, {"seed", 3}});
+  ASSERT_TRUE(options.has_value());
+  EXPECT_EQ(options->comparison->model, statistics::CellModel::kHexagon);
+  EXPECT_EQ(options->comparison->x, 7);
+  EXPECT_EQ(options->height, 20);
+  EXPECT_EQ(options->seed, 3u);
+  EXPECT_THAT(fields(Json::object()), testing::IsEmpty());
+  EXPECT_THAT(fields(nullptr), testing::ElementsAre("options"));
+  EXPECT_THAT(fields({{"model", 7}, {"colors", 1}, {"needles", 0.5}, {"seed", -1}}),
+              testing::ElementsAre("model", "lambda", "needles", "colors", "seed"));
+  EXPECT_THAT(fields({{"distances", {1, 0}}, {"window", {1, 2, 3}}}), testing::ElementsAre("distances", "window"));
+  EXPECT_THAT(fields({{"seed", nullptr}, {"distances", "cheese"}}), testing::ElementsAre("distances", "seed"));
+}
+
+TEST(MeasureTest, CellsStopWhenTheyAreToldTo) {
+  std::atomic<int> stop{0};
+  RunContext context;
+  context.stop = &stop;
+  context.on_progress = [&](double) { stop = 1; };
+  const auto measured =
+      measure_pattern(*read_pattern_file(write_geojson(sheet_of(patterns::Model::kHexagon))), {}, context);
+  ASSERT_FALSE(measured.has_value());
+  EXPECT_EQ(measured.error().code, StatusCode::kCancelled);
 }
 
 TEST(MeasureTest, RefusesWhatHasNoSize) {

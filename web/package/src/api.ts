@@ -104,12 +104,15 @@ export interface Iteration {
   draw(maxPixels: number, maxSites: number): Preview;
 }
 
-export interface RunOptions {
-  /** "auto" takes gl where useCanvas() found graphics hardware, else cpu. Where gl fails on the way, cpu takes over. */
-  backend?: 'auto' | 'cpu' | 'gl';
+export interface WatchOptions {
   onStage?(stage: string): void;
   /** Done so far, 0 to 1, never falling. */
   onProgress?(fraction: number): void;
+}
+
+export interface RunOptions extends WatchOptions {
+  /** "auto" takes gl where useCanvas() found graphics hardware, else cpu. Where gl fails on the way, cpu takes over. */
+  backend?: 'auto' | 'cpu' | 'gl';
   onWarning?(message: string): void;
   onIteration?(iteration: Iteration): void;
 }
@@ -128,6 +131,59 @@ export interface Artifact {
   bytes: Uint8Array;
 }
 
+export interface MeasureOptions extends WatchOptions {
+  /** A model whose closed forms stand beside ("occupancy"), and its number; without, that of a file's own job. */
+  model?: string;
+  lambda?: number;
+  /** Lengths of needles, or radii; 24 that suit the size. */
+  distances?: readonly number[];
+  /** Needles a length; 40000. */
+  needles?: number;
+  /** Colours of a picture; as many as it has. */
+  colors?: number;
+  /** Width and height; what the file says. */
+  window?: readonly [number, number];
+  seed?: number;
+}
+
+/** A figure: curves have points, histograms values over bins. */
+export interface Plot {
+  name: string; // "same_cell"
+  title: string;
+  xLabel: string;
+  yLabel: string;
+  bins?: string[];
+  /** "measured", "closed form" */
+  series: { name: string; points?: [number, number][]; values?: number[] }[];
+  svg: string;
+}
+
+export interface Measured {
+  /** What `tessera measure` reports: {"kind": "picture" | "cells" | "points", ...}. */
+  report: { kind: 'picture' | 'cells' | 'points'; [word: string]: unknown };
+  csv: string; // a row a distance
+  plots: Plot[];
+}
+
+export interface FitOptions extends WatchOptions {
+  seed?: number;
+}
+
+/** How well a model explains a picture. */
+export interface Candidate {
+  model: string;
+  lambda: number; // its number: an intensity, or the side of its cells, px of the picture
+  distance: number; // in standard deviations, of its own pictures to this one
+  w_residual: number; // root mean square of W(d) less the model's
+}
+
+export interface Fit {
+  model: string;
+  lambda: number;
+  candidates: Candidate[]; // the best first
+  job: Job; // that makes more of the same, as large as the picture
+}
+
 /**
  * The core in one thread: every call blocks until it is done, so a page puts it into a worker. Calls throw
  * TesseraError for what is wrong with a job, a picture or a format.
@@ -139,7 +195,7 @@ export interface Tessera {
   readonly schema: JobSchema;
   readonly techniques: Technique[];
   /**
-   * Non-zero ends the run that is going on, at its next check, with the problem "cancelled"; run() sets it back. Lies in
+   * Non-zero ends what is going on, at its next check, with the problem "cancelled"; what begins next sets it back. Lies in
    * shared memory where there are threads, so that another thread may set it (Atomics.store); else null.
    */
   readonly stopFlag: Int32Array | null;
@@ -156,6 +212,10 @@ export interface Tessera {
   run(job: Job, options?: RunOptions): RunResult;
   /** A file of the last run that was finished, in one of its technique's formats. */
   artifact(format: string): Artifact;
+  /** Statistics of a picture, or of the cells or points in a file's bytes: an SVG made here, GeoJSON, CSV. */
+  measure(of: Picture | Uint8Array, options?: MeasureOptions): Measured;
+  /** The model of random geometry that a picture of cells in a few colours looks like. */
+  fit(picture: Picture, options?: FitOptions): Fit;
 }
 
 export interface TesseraOptions {

@@ -4,9 +4,13 @@ export type * from './parameters.js';
 import {
   TesseraError,
   type Artifact,
+  type Fit,
+  type FitOptions,
   type Iteration,
   type Job,
   type JobSchema,
+  type Measured,
+  type MeasureOptions,
   type Picture,
   type Preview,
   type Problem,
@@ -15,6 +19,7 @@ import {
   type Technique,
   type Tessera,
   type TesseraOptions,
+  type WatchOptions,
 } from './api.js';
 
 /** What web/wasm/binding.cpp offers. Texts are JSON; an answer {"problems": [...]} takes the place of any other. */
@@ -25,12 +30,15 @@ interface CoreModule {
   read(job: string): string;
   setThreads(threads: number): void;
   stopAddress(): number;
-  setInput(role: string, rgba: Uint8Array | Uint8ClampedArray, width: number, height: number): string;
+  setInput(role: string, rgba: Pixels, width: number, height: number): string;
   forgetInput(role: string): void;
   useGl(software: boolean): string;
   run(job: string, backend: string, watcher: Watcher): string;
   preview(maxPixels: number, maxSites: number): Preview | null;
   artifact(format: string): Artifact | string;
+  measureFile(bytes: Uint8Array, options: string, watcher: Watcher): string;
+  measurePixels(rgba: Pixels, width: number, height: number, options: string, watcher: Watcher): string;
+  fit(rgba: Pixels, width: number, height: number, seed: number, watcher: Watcher): string;
   HEAP32: Int32Array;
   PThread?: { unusedWorkers: { unref(): void }[] };
   GL: {
@@ -38,6 +46,8 @@ interface CoreModule {
     makeContextCurrent(handle: number): boolean;
   };
 }
+
+type Pixels = Picture['data'];
 
 interface Watcher {
   stage(name: string): void;
@@ -125,6 +135,20 @@ function answer<T>(text: string): T {
   return value as T;
 }
 
+/** Throws where the pixels are not as many as the size says. */
+function checkPixels({ data, width, height }: Picture, field: string): void {
+  if (data.length === 4 * width * height) return;
+  const message = `has ${data.length} bytes, expected ${4 * width * height} for ${width} x ${height} px`;
+  throw new TesseraError([{ code: 'invalidInput', field, message }]);
+}
+
+const watcherOf = (options: RunOptions | WatchOptions, iteration: Watcher['iteration'] = () => {}): Watcher => ({
+  stage: (name) => options.onStage?.(name),
+  progress: (fraction) => options.onProgress?.(fraction),
+  warning: (message) => 'onWarning' in options && options.onWarning?.(message),
+  iteration,
+});
+
 const softwareRenderers = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 class Core implements Tessera {
@@ -157,12 +181,8 @@ class Core implements Tessera {
 
   setInput(role: string, picture: Picture | null): void {
     if (!picture) return this.module.forgetInput(role);
-    const { data, width, height } = picture;
-    if (data.length !== 4 * width * height) {
-      const message = `has ${data.length} bytes, expected ${4 * width * height} for ${width} x ${height} px`;
-      throw new TesseraError([{ code: 'invalidInput', field: role, message }]);
-    }
-    const trouble = this.module.setInput(role, data, width, height);
+    checkPixels(picture, role);
+    const trouble = this.module.setInput(role, picture.data, picture.width, picture.height);
     if (trouble) answer(trouble);
   }
 
@@ -178,18 +198,27 @@ class Core implements Tessera {
   }
 
   run(job: Job, options: RunOptions = {}): RunResult {
-    const watcher: Watcher = {
-      stage: (name) => options.onStage?.(name),
-      progress: (fraction) => options.onProgress?.(fraction),
-      warning: (message) => options.onWarning?.(message),
-      iteration: (index, last) => options.onIteration?.(this.iteration(index, last)),
-    };
+    const watcher = watcherOf(options, (index, last) => options.onIteration?.(this.iteration(index, last)));
     return answer<RunResult>(this.module.run(JSON.stringify(job), options.backend ?? 'auto', watcher));
   }
 
   artifact(format: string): Artifact {
     const made = this.module.artifact(format);
     return typeof made === 'string' ? answer<Artifact>(made) : made;
+  }
+
+  measure(of: Picture | Uint8Array, options: MeasureOptions = {}): Measured {
+    const text = JSON.stringify(options); // without its functions
+    const watcher = watcherOf(options);
+    if (of instanceof Uint8Array) return answer<Measured>(this.module.measureFile(of, text, watcher));
+    checkPixels(of, '');
+    return answer<Measured>(this.module.measurePixels(of.data, of.width, of.height, text, watcher));
+  }
+
+  fit(picture: Picture, options: FitOptions = {}): Fit {
+    checkPixels(picture, '');
+    const { data, width, height } = picture;
+    return answer<Fit>(this.module.fit(data, width, height, options.seed ?? 1, watcherOf(options)));
   }
 
   private iteration(index: number, last: number): Iteration {

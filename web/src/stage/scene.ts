@@ -18,6 +18,7 @@ export class Scene {
   pointer: Point | null = null;
 
   private sheet: Size | null = null;
+  private compared: ImageBitmap | null = null; // with the sheet, and as large
   private source: { bitmap: ImageBitmap; width: number; height: number } | null = null;
   private stones: { drawing: StoneDrawing; grid: Grid } | null = null;
   private diagram: Diagram | null = null; // that the stones were made from
@@ -50,6 +51,11 @@ export class Scene {
 
   take(message: EngineToPainter): void {
     if (message.type === 'source') return this.takeSource(message);
+    if (message.type === 'compared') {
+      this.compared?.close();
+      this.compared = message.bitmap;
+      return;
+    }
     if (message.id <= this.dropped) return;
     if (message.type === 'preview') {
       const diagram = new Diagram(message.preview, message.scale, this.source?.width ?? 1, (w, h) =>
@@ -201,7 +207,7 @@ export class Scene {
   }
 
   private drawSource(context: Context, alpha: number): void {
-    const bitmap = this.source?.bitmap;
+    const bitmap = this.sheet ? this.compared : this.source?.bitmap;
     if (!bitmap) return;
     this.overPicture(context, () => {
       context.globalAlpha = alpha;

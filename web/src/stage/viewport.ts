@@ -2,7 +2,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { painter } from '../state/page';
-import { entry, inputRole, sheet, technique } from '../state/store';
+import { compared, entry, inputRole, sheet, technique } from '../state/store';
 import { calm, shade } from '../state/theme';
 import { kLayers, type Layer, type Layers } from '../worker/protocol';
 import { fit, panBy, zoomAt, type Point, type Size, type View } from './view';
@@ -15,9 +15,14 @@ export const stageSize = signal<Size>({ width: 1, height: 1 });
 const switched = signal<Readonly<Record<string, Layers>>>({});
 export const layers = computed(() => switched.value[technique.value] ?? shownAtFirst(entry.value.shown));
 /** There is a picture to compare with, on the same stage. */
-export const comparable = computed(() => inputRole.value !== '' && !entry.value.solid);
+export const comparable = computed(() => {
+  if (entry.value.solid) return false;
+  return inputRole.value !== '' || (sheet.value !== null && sameSize(compared.value, sheet.value));
+});
 /** Part of the stage that shows the source. */
 export const divider = signal(0);
+
+const sameSize = (a: Size | null, b: Size) => a?.width === b.width && a.height === b.height;
 
 const fitted = signal(true);
 

@@ -2,7 +2,7 @@
 // worker opens pictures from the first moment on; the engine is downloaded meanwhile, but starts only when something is
 // asked of it: that takes all the cores of a small machine, which the page and its first picture need before.
 
-import type { Job, Problem, RunResult } from 'tessera-wasm';
+import type { Fit, Job, Measured, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
 import type { Pieces } from '../worker/pieces';
 import type {
@@ -10,6 +10,7 @@ import type {
   EngineInfo,
   FromEngine,
   Graphics,
+  Measurable,
   RunRequest,
   ToEngine,
   ToPainter,
@@ -29,12 +30,22 @@ export interface RunEvents {
 }
 
 export type RunEnd =
-  | { kind: 'done'; result: RunResult; milliseconds: number; colours: readonly ColourCount[]; pieces: Pieces | null }
+  | {
+      kind: 'done';
+      result: RunResult;
+      milliseconds: number;
+      colours: readonly ColourCount[];
+      pieces: Pieces | null;
+      onDemand: boolean;
+    }
   | { kind: 'problems'; problems: readonly Problem[] }
   | { kind: 'cancelled' };
 
+/** What goes on in the engine and can be stopped. */
 interface Running {
   id: number;
+  /** It is over before a fresh engine would be there. */
+  brief?: boolean;
   end: (end: RunEnd) => void;
   stopped: () => void;
   ended?: Promise<RunEnd>;
@@ -250,13 +261,57 @@ export class EngineClient {
     });
   }
 
+  /** Statistics of the run that ended last; null where they are not wanted any more. */
+  async measure(of: Measurable): Promise<Measured | readonly Problem[] | null> {
+    const answer = await this.perform({ type: 'measure', id: this.nextId++, run: this.last, of }, { brief: true });
+    if (answer?.type === 'measured') return answer.measured;
+    return answer?.type === 'problems' ? answer.problems : null;
+  }
+
+  /** The model that a picture looks like; null where that is not wanted any more. Rejects as setPicture() does. */
+  async fit(
+    name: string,
+    blob: Blob,
+    progress: (fraction: number) => void,
+  ): Promise<Fit | readonly Problem[] | null> {
+    const answer = await this.perform({ type: 'fit', id: this.nextId++, name, blob }, { progress });
+    if (answer?.type === 'refused') throw new Error(answer.message);
+    if (answer?.type === 'fitted') return answer.fit;
+    return answer?.type === 'problems' ? answer.problems : null;
+  }
+
+  /** Asks what takes its time, when nothing else goes on; the last answer, or null where it was stopped. */
+  private perform(
+    question: Question,
+    { brief = false, progress }: { brief?: boolean; progress?: (fraction: number) => void },
+  ): Promise<Answer | null> {
+    const { id } = question;
+    return new Promise((resolve) => {
+      const running: Running = { id, brief, end: () => resolve(null), stopped: () => {} };
+      this.running = running;
+      this.waiting.set(id, (answer) => {
+        if (answer.type === 'progress') return progress?.(answer.fraction);
+        this.waiting.delete(id);
+        running.stopped();
+        if (this.running === running) this.running = null;
+        resolve(answer);
+      });
+      this.ask(question);
+    });
+  }
+
+  /** A picture that the engine has. */
+  held(slot: string): { name: string; blob: Blob } | null {
+    return this.kept.get(slot) ?? null;
+  }
+
   /** Resolves once no run goes on, or after so many milliseconds. */
   async settled(patience: number): Promise<void> {
     const { running } = this;
     if (running) await Promise.race([running.ended, after(patience)]);
   }
 
-  /** Resolves once nothing runs any more; the run itself ends as cancelled at once. */
+  /** Resolves once nothing runs any more; what ran ends as cancelled at once. */
   cancel(): Promise<void> {
     this.stopping ??= this.stop().finally(() => (this.stopping = null));
     return this.stopping;
@@ -272,12 +327,12 @@ export class EngineClient {
       return;
     }
     this.painter.postMessage({ type: 'drop', upTo: running.id });
-    if (!stopFlag) return this.restart();
+    if (!stopFlag && !running.brief) return this.restart();
     const stopped = new Promise<true>((resolve) => (running.stopped = () => resolve(true)));
     const begin = performance.now();
     // Again and again: a run that has not begun yet sets the flag back.
     while (performance.now() - begin < kPatience) {
-      Atomics.store(stopFlag, 0, 1);
+      if (stopFlag) Atomics.store(stopFlag, 0, 1);
       if (await Promise.race([stopped, after(10)])) return;
     }
     this.restart();

@@ -170,8 +170,8 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
     run.value = null;
     if (end.kind === 'done') {
       forgetFiles();
-      const { result, milliseconds, colours, pieces } = end;
-      outcome.value = { job, result, milliseconds, reduced, colours, pieces, files: {} };
+      const { result, milliseconds, colours, pieces, onDemand } = end;
+      outcome.value = { job, result, milliseconds, reduced, colours, pieces, onDemand, files: {} };
       if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.${endingOf('job')}` });
       for (const { role, ...file } of drawnOnes) addFile(role, file);
     } else if (end.kind === 'problems') {

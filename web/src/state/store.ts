@@ -56,6 +56,8 @@ export interface Outcome {
   colours: readonly ColourCount[];
   /** Of techniques whose pieces are solid. */
   pieces: Pieces | null;
+  /** Files besides the picture are made when they are asked for. */
+  onDemand: boolean;
   /** By format; grows while the files are made. */
   files: Readonly<Record<string, FileLink>>;
 }
@@ -69,6 +71,8 @@ export const edits = signal<History<Edits>>(freshEdits());
 export const picture = signal<PictureInfo | null>(null);
 /** A label picture made elsewhere, which says where the pebbles of this picture are. */
 export const labels = signal<{ name: string } | null>(null);
+/** The size of a sheet that has a picture to be compared with. */
+export const compared = signal<Size | null>(null);
 /** A picture is on its way; it runs as soon as it is there. */
 export const opening = signal(false);
 export const run = signal<Run | null>(null);

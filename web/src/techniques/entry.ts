@@ -1,7 +1,7 @@
 import type { RunResult } from 'tessera-wasm';
 import type { ComponentType } from 'preact';
 import type { Params } from '../state/form';
-import type { Layer } from '../worker/protocol';
+import type { Layer, Measurable } from '../worker/protocol';
 
 export interface Sample {
   name: string;
@@ -55,6 +55,8 @@ export interface TechniqueEntry {
   forDensity?(params: Params): Params;
   /** Choices of parameters that need what a page does not have. */
   without?: Readonly<Record<string, readonly string[]>>;
+  /** From which of its files statistics are taken; none are where this is missing. */
+  measurable?(params: Params): Measurable;
   samples: readonly Sample[];
   presets: readonly Preset[];
   /** What the engine's stages are called while they go on. */

@@ -57,6 +57,9 @@ function colourNames(params: Params): readonly string[] | null {
   return kBombs.includes(model) ? ['Bombs', 'Ground'] : null;
 }
 
+/** Bombs lie over each other, and noise is all pixels: their picture tells what they are like. */
+const measurable = (params: Params) => ([...kCells, 'points'].includes(modelOf(params)) ? 'svg' : 'png');
+
 /** With points for it to tell of. */
 const forDensity = (params: Params): Params =>
   kOfPoints.includes(modelOf(params)) ? params : { ...params, model: 'points', size: 8 };
@@ -88,6 +91,7 @@ export const pattern: TechniqueEntry = {
   matters,
   colourNames,
   forDensity,
+  measurable,
   front: ['size', 'length', 'breadth', 'width', 'height', 'colors', 'variation', 'border', 'seamless'],
   stages: { cells: 'Laying out the cells', colours: 'Colouring them' },
   facts,

@@ -6,6 +6,7 @@ import { HalfSwitch } from './HalfSwitch';
 import { Header } from './Header';
 import { Panel } from './Panel';
 import { Stage } from './Stage';
+import { Statistics } from './Statistics';
 import { Tabs } from './Tabs';
 import { half } from '../state/pebbles';
 import { entry, technique } from '../state/store';
@@ -23,6 +24,7 @@ export function App() {
             {entry.value.solid && <HalfSwitch />}
             <Alerts />
           </div>
+          {entry.value.measurable && <Statistics />}
           <Bar />
         </div>
       </main>

@@ -7,6 +7,8 @@ import { demandFile } from '../state/runner';
 import { entry, engine, known, notice, outcome, run, type FileLink, type Outcome, type Run } from '../state/store';
 import { timeLeft } from './time-left';
 
+/** Made at once, however many pieces there are. */
+const kAtOnce = new Set(['png', 'job']);
 const kStages: Record<string, string> = { picture: 'Opening the picture' };
 const seconds = new Intl.NumberFormat('en', { maximumFractionDigits: 1 });
 
@@ -84,12 +86,11 @@ function Downloads() {
 
 const files = () => (run.value ? {} : (outcome.value?.files ?? {}));
 
-const Offered = ({ kind }: { kind: FileKind }) =>
-  kind.onDemand && !run.value && outcome.value && !outcome.value.reduced ? (
-    <DownloadButton kind={kind} />
-  ) : (
-    <DownloadLink kind={kind} />
-  );
+function Offered({ kind }: { kind: FileKind }) {
+  const done = run.value ? null : outcome.value;
+  const asked = kind.onDemand || (done?.onDemand && !kAtOnce.has(kind.format));
+  return asked && done && !done.reduced ? <DownloadButton kind={kind} /> : <DownloadLink kind={kind} />;
+}
 
 /** Makes the file first. */
 function DownloadButton({ kind: { format, title, short = title } }: { kind: FileKind }) {
@@ -115,7 +116,7 @@ function DownloadButton({ kind: { format, title, short = title } }: { kind: File
   );
 }
 
-function save({ address, name }: FileLink): void {
+export function save({ address, name }: Pick<FileLink, 'address' | 'name'>): void {
   const link = document.createElement('a');
   link.href = address;
   link.download = name;

@@ -14,11 +14,12 @@ import {
 import type { TextField } from '../state/form';
 import { entry, params } from '../state/store';
 import { percent } from '../techniques/facts';
+import { TextInput, type Ties } from './TextInput';
 
 interface Props {
   field: TextField;
   value: string;
-  ties: { 'aria-describedby': string; 'aria-invalid': boolean };
+  ties: Ties;
 }
 
 const kShares = 'probabilities';
@@ -29,14 +30,7 @@ export function ColoursEditor({ field, value, ties }: Props) {
   return (
     <>
       {list && <Patches list={list} field={field} />}
-      <input
-        id={`field-${field.key}`}
-        type="text"
-        value={value}
-        onInput={(event) => changeValue(field, event.currentTarget.value)}
-        onChange={endStep}
-        {...ties}
-      />
+      <TextInput field={field} value={value} ties={ties} />
     </>
   );
 }
@@ -110,14 +104,7 @@ export function ColourEditor({ field, value, ties }: Props) {
   return (
     <div class="patches single">
       {colour && <Patch label={field.title} colour={colour} change={(next) => changeValue(field, next)} />}
-      <input
-        id={`field-${field.key}`}
-        type="text"
-        value={value}
-        onInput={(event) => changeValue(field, event.currentTarget.value)}
-        onChange={endStep}
-        {...ties}
-      />
+      <TextInput field={field} value={value} ties={ties} />
     </div>
   );
 }

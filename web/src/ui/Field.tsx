@@ -7,12 +7,12 @@ import { valueOf, type ChoiceField, type Field as FieldModel, type NumberField, 
 import { params, problems } from '../state/store';
 import { ColourEditor, ColoursEditor } from './ColoursEditor';
 import { PaletteEditor } from './PaletteEditor';
+import { TextInput, type Ties } from './TextInput';
 
 interface ControlProps<F extends FieldModel> {
   field: F;
   value: ParameterValue;
-  /** Attributes that tie a control to its label, help and problem. */
-  ties: { 'aria-describedby': string; 'aria-invalid': boolean };
+  ties: Ties;
 }
 
 export function Field({ field }: { field: FieldModel }) {
@@ -154,16 +154,7 @@ function TextControl({ field, value, ties }: ControlProps<TextField>) {
   const text = String(value);
   if (field.key === 'colors') return <ColoursEditor field={field} value={text} ties={ties} />;
   if (kColour.test(field.fallback)) return <ColourEditor field={field} value={text} ties={ties} />;
-  return (
-    <input
-      id={`field-${field.key}`}
-      type="text"
-      value={text}
-      onInput={(event) => changeValue(field, event.currentTarget.value)}
-      onChange={endStep}
-      {...ties}
-    />
-  );
+  return <TextInput field={field} value={text} ties={ties} />;
 }
 
 function ChoiceControl({ field, value, ties }: ControlProps<ChoiceField>) {

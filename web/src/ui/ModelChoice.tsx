@@ -2,7 +2,8 @@ import { changeValue, endStep } from '../state/edits';
 import { valueOf } from '../state/form';
 import { entry, fields, params } from '../state/store';
 
-const worded = (value: string) =>
+/** What people call a value of the pictured choice. */
+export const worded = (value: string) =>
   entry.value.titles?.[value] ?? value.charAt(0).toUpperCase() + value.slice(1).replace('-', ' ');
 
 /** A choice by its pictures; other parameters stay as they are. */

@@ -1,8 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { ChevronUp, Play, Square } from 'lucide-preact';
 import { cancel, generate } from '../state/runner';
-import { inputRole, opening, run, sheet } from '../state/store';
+import { entry, inputRole, opening, run, sheet } from '../state/store';
 import { DensityInput } from './DensityInput';
+import { FitInput } from './FitInput';
 import { ModelChoice } from './ModelChoice';
 import { Parameters, Presets } from './Parameters';
 import { PictureInput } from './PictureInput';
@@ -39,6 +40,7 @@ export function Panel() {
         <ModelChoice />
         <Presets />
         <Parameters />
+        {entry.value.measurable && <FitInput />}
         {!inputRole.value && <DensityInput />}
       </div>
     </aside>

@@ -29,7 +29,6 @@ const kPreviewPause = 33; // ms
 const kPreviewShare = 8; // of the time, at most one in so many parts goes into previews
 const kManyPieces = 50_000;
 const kSmallPiece = 3; // px²
-const kLull = 250; // ms before files are made that take long, as others may be wanted by then
 const kNoGround = '#96928a';
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
@@ -45,6 +44,8 @@ interface Held {
   whole?: Picture;
   reduced?: { scale: number; picture: Picture };
 }
+
+const kOver: Problem = { code: 'cancelled', field: '', message: 'the run is over' };
 
 const tell = (message: FromEngine) => scope.postMessage(message);
 const show = (message: EngineToPainter, transfer: Transferable[]) => painter?.postMessage(message, transfer);
@@ -129,7 +130,8 @@ async function run(id: number, request: RunRequest): Promise<void> {
     });
     const milliseconds = performance.now() - begin;
     const noise = isNoise(result);
-    const face = noise || result.retouched ? await createImageBitmap(blobOf(engine, 'png')) : null;
+    const png = noise || result.retouched ? blobOf(engine, 'png') : null;
+    const face = png && (await createImageBitmap(png));
     const pieces = noise ? sheetOf(request.job) : parsePieces(engine.artifact('json').bytes);
     const ground = noise ? kNoGround : groundOf(engine);
     tell({
@@ -139,14 +141,15 @@ async function run(id: number, request: RunRequest): Promise<void> {
       milliseconds,
       colours: countColours(pieces),
       pieces: request.pieces ? pieces : null,
+      onDemand: noise,
     });
     const seamless = request.job.params['seamless'] === true;
     show(
       { type: 'pieces', id, pieces, ground, scale: request.scale, seamless, face },
       face ? [...transferable(pieces), face] : transferable(pieces),
     );
-    if (noise) await breathe(kLull);
-    if (request.scale === 1) await makeFiles(engine, id, request.formats);
+    const formats = noise ? ['png'] : request.formats;
+    if (request.scale === 1) await makeFiles(engine, id, formats, png);
     if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
@@ -184,11 +187,12 @@ function blobOf(tessera: Tessera, format: string): Blob {
   return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mediaType });
 }
 
-async function makeFiles(tessera: Tessera, id: number, formats: readonly string[]): Promise<void> {
+/** `png`: that file, where it is there already. */
+async function makeFiles(tessera: Tessera, id: number, formats: readonly string[], png: Blob | null): Promise<void> {
   for (const format of formats) {
     await breathe();
     if (newest !== id) return;
-    tell({ type: 'file', id, format, blob: blobOf(tessera, format) });
+    tell({ type: 'file', id, format, blob: (format === 'png' && png) || blobOf(tessera, format) });
   }
 }
 
@@ -198,6 +202,31 @@ function makeFile({ id, run, format }: ToEngine & { type: 'file' }): void {
     tell({ type: 'file', id, format, blob: blobOf(engine, format) });
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
+  }
+}
+
+async function measure({ id, run, of }: ToEngine & { type: 'measure' }): Promise<void> {
+  try {
+    const picture =
+      engine && newest === run && of === 'png' ? await open(blobOf(engine, 'png'), 'the picture') : null;
+    picture?.bitmap.close();
+    if (!engine || newest !== run) return tell({ type: 'problems', id, problems: [kOver] });
+    tell({ type: 'measured', id, measured: engine.measure(picture?.pixels() ?? engine.artifact(of).bytes) });
+  } catch (error) {
+    tell({ type: 'problems', id, problems: [...problemsOf(error)] });
+  }
+}
+
+async function fit({ id, name, blob }: ToEngine & { type: 'fit' }): Promise<void> {
+  try {
+    if (!engine) return;
+    const { bitmap, pixels } = await open(blob, name);
+    const fitted = engine.fit(pixels(), { onProgress: (fraction) => tell({ type: 'progress', id, fraction }) });
+    show({ type: 'compared', bitmap }, [bitmap]);
+    tell({ type: 'fitted', id, fit: fitted });
+  } catch (error) {
+    if (error instanceof PictureError) tell({ type: 'refused', id, message: error.message });
+    else tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }
 }
 
@@ -225,5 +254,9 @@ scope.onmessage = ({ data }: MessageEvent<ToEngine>) => {
       return makeFile(data);
     case 'read':
       return read(data.id, data.text);
+    case 'measure':
+      return void measure(data);
+    case 'fit':
+      return void fit(data);
   }
 };

@@ -1,6 +1,6 @@
 // What the page, the engine's worker and the painter's worker say to each other.
 
-import type { Job, Preview, Problem, RunResult } from 'tessera-wasm';
+import type { Fit, Job, Measured, Preview, Problem, RunResult } from 'tessera-wasm';
 import type { Point, Size, View } from '../stage/view';
 import type { Pieces } from './pieces';
 
@@ -42,6 +42,9 @@ export interface RunRequest {
   pieces: boolean;
 }
 
+/** The file that statistics are taken from: cells or points as they are, or the picture of them. */
+export type Measurable = 'svg' | 'png';
+
 export type ToEngine =
   | { type: 'painter'; port: MessagePort }
   /** `graphics`: what an earlier engine of this page found, so as not to look again. */
@@ -50,7 +53,10 @@ export type ToEngine =
   | { type: 'run'; id: number; request: RunRequest }
   /** One more file of a run that is done. */
   | { type: 'file'; id: number; run: number; format: string }
-  | { type: 'read'; id: number; text: string };
+  | { type: 'read'; id: number; text: string }
+  /** Statistics of a run that is done, from that file of it. */
+  | { type: 'measure'; id: number; run: number; of: Measurable }
+  | { type: 'fit'; id: number; name: string; blob: Blob };
 
 export type FromEngine =
   | { type: 'ready'; info: EngineInfo; stopFlag: Int32Array | null }
@@ -69,10 +75,14 @@ export type FromEngine =
       milliseconds: number;
       colours: ColourCount[];
       pieces: Pieces | null;
+      /** Pieces are so many that files besides the picture are made when they are asked for. */
+      onDemand: boolean;
     }
   | { type: 'problems'; id: number; problems: Problem[] }
   | { type: 'file'; id: number; format: string; blob: Blob }
-  | { type: 'job'; id: number; job: Job };
+  | { type: 'job'; id: number; job: Job }
+  | { type: 'measured'; id: number; measured: Measured }
+  | { type: 'fitted'; id: number; fit: Fit };
 
 /**
  * Straight from the engine's worker to the painter's: pixels do not pass through the page. `id` is the run's. Pieces of a
@@ -81,6 +91,8 @@ export type FromEngine =
  */
 export type EngineToPainter =
   | { type: 'source'; bitmap: ImageBitmap; width: number; height: number }
+  /** What a sheet is compared with, that was made without a picture. */
+  | { type: 'compared'; bitmap: ImageBitmap }
   | { type: 'preview'; id: number; preview: Preview; scale: number }
   | {
       type: 'pieces';
