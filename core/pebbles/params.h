@@ -12,6 +12,7 @@ enum class Segmenter { kTree, kRays, kLabels };
 enum class Height { kPercentile, kLeast, kMinorAxis };
 enum class FieldLayout { kNodes, kMerged, kBoth };
 enum class Collider { kNone, kHull };
+enum class Strewing { kBlueNoise, kInhibition, kCluster, kPoisson };
 
 struct Params {
   int width = 900;
@@ -37,6 +38,9 @@ struct Params {
   Collider collider = Collider::kNone;
   bool quantize = false;
   int scatter = 0;
+  Strewing strewing = Strewing::kPoisson;
+  int prototypes = 24;
+  bool instancing = true;
 };
 
 // World size of a pixel of a photo `width` px wide.
@@ -170,6 +174,23 @@ void visit(Visitor& v, Params& p) {
                         .ui_min = 0,
                         .ui_max = 5000,
                         .help = "So many pebbles strewn anew, instances of those found; 0 keeps the photo's places",
+                        .advanced = true});
+  v.choice(p.strewing, {.key = "strewing", .help = "How strewn pebbles lie", .advanced = true},
+           {{Strewing::kBlueNoise, "blue-noise", "evenly"},
+            {Strewing::kInhibition, "inhibition", "apart, but with gaps of all sizes (Matern II)"},
+            {Strewing::kCluster, "cluster", "in groups"},
+            {Strewing::kPoisson, "poisson", "at random, wherever there is room"}});
+  v.integer(p.prototypes, {.key = "prototypes",
+                           .min = 1,
+                           .max = 1000,
+                           .ui_min = 1,
+                           .ui_max = 100,
+                           .help = "Of how many of the pebbles found those strewn are made",
+                           .symbol = "K",
+                           .advanced = true});
+  v.flag(p.instancing, {.key = "instancing",
+                        .help = "Strewn pebbles as instances (EXT_mesh_gpu_instancing); else as a node each, which "
+                                "every program knows",
                         .advanced = true});
   v.text(p.edits, {.key = "edits",
                    .help = "Corrections of what was found, such as \"merge 120,44 130,60; delete 5,8\"",

@@ -1,16 +1,17 @@
-// Pebbles strewn anew.
+// Pebbles strewn anew: at points of a process, those that have room for them.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "tessera/geometry/point.h"
+#include "tessera/pebbles/params.h"
 #include "tessera/pebbles/pebble.h"
 
 namespace tessera::pebbles {
 
-// Some of the pebbles, at random, in their order: those that are strewn.
-std::vector<Pebble> prototypes(const std::vector<Pebble>& pebbles, std::uint64_t seed);
+// At most `count` of the pebbles, at random, in their order: those that are strewn.
+std::vector<Pebble> prototypes(const std::vector<Pebble>& pebbles, int count, std::uint64_t seed);
 
 struct Throw {
   std::size_t stone = 0;  // which of them
@@ -24,8 +25,9 @@ struct Strewn {
   std::vector<Throw> throws;
 };
 
-// `count` throws of stones of the given radii (metres, > 0), where they fit on a field of `size` (metres, centred),
-// larger in the same proportion where that has not room enough. Stones overlap where many tries have found no room.
-Strewn strew(const std::vector<double>& radii, int count, Point size, std::uint64_t seed);
+// `count` throws of stones of the given radii (metres, > 0) on a field of `size` (metres, centred), larger in the
+// same proportion where that has not room enough. No two overlap, nor would they if the field went on at its other
+// side: copies of it side by side have no seams.
+Strewn strew(const std::vector<double>& radii, int count, Point size, Strewing strewing, std::uint64_t seed);
 
 }  // namespace tessera::pebbles

@@ -240,7 +240,7 @@ class Field {
   void add_strewn(std::vector<Stone>& stones, std::uint64_t seed, std::vector<int>& view) {
     std::vector<double> radii;
     for (const Stone& stone : stones) radii.push_back(stone.radius);
-    const Strewn strewn = strew(radii, params_.scatter, size_, seed);
+    const Strewn strewn = strew(radii, params_.scatter, size_, params_.strewing, seed);
     size_ = strewn.size;
     std::vector<std::vector<SceneNode::Instance>> instances(stones.size());
     for (const Throw& t : strewn.throws) {
@@ -254,8 +254,16 @@ class Field {
       node.translation = glm::dvec3(0);
       node.extras = std::move(stones[i].extras);
       node.instances = instances[i];
-      view.push_back(add(std::move(node)));
-      if (hull_surface_ >= 0) add_strewn_hulls(stones[i], instances[i], view);
+      if (params_.instancing) {
+        view.push_back(add(std::move(node)));
+      } else {
+        add_places(node, "", view);
+      }
+      if (hull_surface_ < 0) continue;
+      SceneNode hull = node_of(stones[i], stones[i].hull, hull_surface_);
+      hull.hull = true;
+      hull.instances = std::move(instances[i]);
+      add_places(hull, kHullSuffix, view);
     }
   }
 
@@ -290,16 +298,17 @@ class Field {
     return static_cast<int>(scene_.nodes.size()) - 1;
   }
 
-  // A node for each place of a stone, all of one mesh: engines make bodies of nodes, not of instances.
-  void add_strewn_hulls(Stone& stone, const std::vector<SceneNode::Instance>& places, std::vector<int>& view) {
-    const SceneNode first = node_of(stone, stone.hull, hull_surface_);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      view.push_back(add({.name = first.name + "-" + std::to_string(k + 1) + kHullSuffix,
-                          .translation = places[k].translation,
-                          .rotation = places[k].rotation,
-                          .scale = places[k].scale,
-                          .mesh = first.mesh,
-                          .hull = true}));
+  // A node for each of a node's instances, all of one mesh: some programs know no instances, and engines make bodies
+  // of nodes.
+  void add_places(const SceneNode& node, const char* suffix, std::vector<int>& view) {
+    for (std::size_t k = 0; k < node.instances.size(); ++k)
+      view.push_back(add({.name = node.name + "-" + std::to_string(k + 1) + suffix,
+                          .translation = node.instances[k].translation,
+                          .rotation = node.instances[k].rotation,
+                          .scale = node.instances[k].scale,
+                          .mesh = node.mesh,
+                          .hull = node.hull,
+                          .extras = node.extras}));
   }
 
   SceneNode node_of(const Stone& stone, Mesh& mesh, int surface) {
@@ -339,8 +348,8 @@ Scene build_scene(const std::vector<Pebble>& pebbles, const cv::Mat1i& labels, c
   const Shading shading = needs_shading ? Shading(texture) : Shading();
 
   const bool strewn = params.scatter > 0;
-  std::vector<Stone> stones =
-      make_stones(strewn ? prototypes(pebbles, seed) : pebbles, world, params, &shading, {photo.width, photo.height});
+  std::vector<Stone> stones = make_stones(strewn ? prototypes(pebbles, params.prototypes, seed) : pebbles, world,
+                                          params, &shading, {photo.width, photo.height});
   Field field(world, params, photo);
   field.add_surfaces(pebbles, labels, std::move(texture), &shading);
 

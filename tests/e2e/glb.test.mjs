@@ -20,6 +20,7 @@ test('the validator finds no fault with any kind of field', async () => {
     '--lod 1 --layout merged --ground --ground-hole',
     '--lod 2 --layout both --collider hull',
     '--scatter 500',
+    '--scatter 500 --strewing cluster --instancing false --collider hull',
     '--scatter 500 --collider hull --ground',
     '--lod 1 --flatten 0.5 --relief 1 --normal-map --quantize --layout both --ground --collider hull --scatter 500',
   ];

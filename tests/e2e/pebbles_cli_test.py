@@ -74,6 +74,22 @@ class PebblesTest(CliTest):
         self.assertEqual((params['ground'], params['quantize'], params['groundHole']), (True, True, False))
         self.succeed('pebbles', '--ground', 'false', 'beach.png', '-o', 'q.glb')
 
+    def test_strewn_pebbles_are_instances_or_nodes(self):
+        def scene(*arguments):
+            self.succeed('pebbles', 'beach.png', '--scatter', '40', '--prototypes', '3', *arguments, '-o', 'p.gltf')
+            return json.loads(self.bytes_of('p.gltf'))
+
+        nodes = scene()['nodes']
+        self.assertEqual(len(nodes), 3)
+        self.assertTrue(all('EXT_mesh_gpu_instancing' in n['extensions'] for n in nodes))
+        for strewing in ('blue-noise', 'inhibition', 'cluster', 'poisson'):
+            plain = scene('--strewing', strewing, '--instancing', 'false')
+            self.assertNotIn('extensionsUsed', plain)
+            self.assertEqual(len({n['name'] for n in plain['nodes']}), 40)
+            self.assertEqual(len({tuple(n['translation']) for n in plain['nodes']}), 40)
+            self.assertEqual(len({n['mesh'] for n in plain['nodes']}), 3)
+        self.fail_with(2, 'pebbles', 'beach.png', '--scatter', '9', '--prototypes', '0', '-o', 'x.glb', says=['prototypes'])
+
     def test_labels_from_elsewhere(self):
         self.found('--labels', 'labels.png')
         self.assertEqual(self.found('--segmenter', 'labels.png', '--labels', 'again.png'), 6)

@@ -237,23 +237,91 @@ TEST(BuildScene, NothingOfNothing) {
     }
 }
 
-TEST(Scatter, PutsAsManyAsAskedForApartWhereThereIsRoom) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const std::vector<double> radii = {0.02, 0.05, 0.03};
-    const Strewn strewn = strew(radii, 500, {1, 0.7}, seed);
-    ASSERT_THAT(strewn.throws, SizeIs(500));
-    EXPECT_GE(strewn.size.x, 1);
-    EXPECT_NEAR(strewn.size.y / strewn.size.x, 0.7, 1e-9);
-    for (std::size_t a = 0; a < 500; ++a) {
-      const Throw& s = strewn.throws[a];
-      EXPECT_LE(std::fabs(s.place.x), strewn.size.x / 2);
-      EXPECT_LE(std::fabs(s.place.y), strewn.size.y / 2);
-      for (std::size_t b = a + 1; b < 500; ++b) {
-        const Throw& t = strewn.throws[b];
-        EXPECT_GE(length(s.place - t.place), radii[s.stone] * s.scale + radii[t.stone] * t.scale);
+constexpr Strewing kStrewings[] = {Strewing::kBlueNoise, Strewing::kInhibition, Strewing::kCluster,
+                                   Strewing::kPoisson};
+
+// Around the field, as if it went on at its other side.
+double distance_around(Point a, Point b, Point size) {
+  const Point d = a - b;
+  return length({d.x - size.x * std::round(d.x / size.x), d.y - size.y * std::round(d.y / size.y)});
+}
+
+TEST(Scatter, PutsAsManyAsAskedForApart) {
+  const std::vector<double> radii = {0.02, 0.05, 0.03};
+  for (const Strewing strewing : kStrewings)
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const Strewn strewn = strew(radii, 500, {1, 0.7}, strewing, seed);
+      ASSERT_THAT(strewn.throws, SizeIs(500));
+      EXPECT_GE(strewn.size.x, 1);
+      EXPECT_NEAR(strewn.size.y / strewn.size.x, 0.7, 1e-9);
+      for (std::size_t a = 0; a < 500; ++a) {
+        const Throw& s = strewn.throws[a];
+        EXPECT_LE(std::fabs(s.place.x), strewn.size.x / 2);
+        EXPECT_LE(std::fabs(s.place.y), strewn.size.y / 2);
+        for (std::size_t b = a + 1; b < 500; ++b) {
+          const Throw& t = strewn.throws[b];
+          EXPECT_GE(distance_around(s.place, t.place, strewn.size) + 1e-12,
+                    radii[s.stone] * s.scale + radii[t.stone] * t.scale);
+        }
       }
     }
+}
+
+TEST(Scatter, FindsAFieldForFewAndForUnequal) {
+  for (const Strewing strewing : kStrewings)
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      EXPECT_THAT(strew({0.5}, 1, {0.1, 0.1}, strewing, seed).throws, SizeIs(1));
+      EXPECT_THAT(strew({0.001, 1}, 40, {10, 0.1}, strewing, seed).throws, SizeIs(40));
+      EXPECT_THAT(strew({}, 40, {1, 1}, strewing, seed).throws, SizeIs(0));
+    }
+}
+
+// Of counts in a grid of squares, variance against mean: 1 for a Poisson process, less where points keep away.
+double clumping(const Strewn& strewn) {
+  constexpr int kSquares = 8;
+  std::vector<double> counts(kSquares * kSquares, 0);
+  const auto square = [](double v, double size) {
+    return std::clamp(static_cast<int>((v / size + 0.5) * kSquares), 0, kSquares - 1);
+  };
+  for (const Throw& t : strewn.throws)
+    ++counts[static_cast<std::size_t>(square(t.place.y, strewn.size.y) * kSquares +
+                                      square(t.place.x, strewn.size.x))];
+  const double mean = static_cast<double>(strewn.throws.size()) / (kSquares * kSquares);
+  double squares = 0;
+  for (const double count : counts) squares += (count - mean) * (count - mean);
+  return squares / (kSquares * kSquares) / mean;
+}
+
+TEST(Scatter, LiesEvenlyOrInGroupsAsAsked) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const auto clumps = [&](Strewing strewing) { return clumping(strew({0.01}, 1000, {1, 1}, strewing, seed)); };
+    EXPECT_LT(clumps(Strewing::kBlueNoise), 0.6);
+    EXPECT_LT(clumps(Strewing::kInhibition), 0.9);
+    EXPECT_GT(clumps(Strewing::kCluster), 1.5);  // of a Poisson process, a deviation of 0.18 about 1
   }
+}
+
+TEST(Scatter, WithoutInstancesEachStoneIsANodeOfTheSamePlace) {
+  const Beach beach;
+  Params params;
+  params.scatter = 100;
+  params.prototypes = 5;
+  const Scene with = beach.scene(params, 2);
+  params.instancing = false;
+  const Scene without = beach.scene(params, 2);
+  EXPECT_EQ(with.nodes.size(), 5U);
+  EXPECT_EQ(without.nodes.size(), 100U);
+  std::size_t k = 0;
+  for (const SceneNode& node : with.nodes)
+    for (const SceneNode::Instance& instance : node.instances) {
+      const SceneNode& plain = without.nodes[k++];
+      EXPECT_TRUE(plain.instances.empty());
+      EXPECT_EQ(plain.mesh, node.mesh);
+      EXPECT_EQ(plain.translation, instance.translation);
+      EXPECT_EQ(plain.rotation, instance.rotation);
+      EXPECT_EQ(plain.scale, instance.scale);
+    }
+  EXPECT_EQ(k, 100U);
 }
 
 TEST(Scatter, IsThatOfItsSeed) {
