@@ -45,10 +45,12 @@ struct Artifact {
   std::string bytes;
 };
 
+inline constexpr double kMaxPngScale = 16;
+
 struct JobRequest {
   std::vector<std::string> formats;  // of those the technique has: "svg", "dxf"; others are kInvalidParameter
   bool plots = false;
-  double png_scale = 0;  // output pixels a source pixel, up to 16; 0 lets the sheet's size decide
+  double png_scale = 0;  // output pixels a source pixel, up to kMaxPngScale; 0 lets the sheet's size decide
 };
 
 // A figure of the paper, drawn from a run.

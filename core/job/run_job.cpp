@@ -18,7 +18,6 @@ namespace {
 
 // The technique's own share of the progress; the rest is writing the formats.
 constexpr double kTechniqueShare = 0.95;
-constexpr double kMaxPngScale = 16;
 
 struct Format {
   const char* name;

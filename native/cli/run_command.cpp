@@ -26,6 +26,7 @@ class Run {
     Problems problems;
     request.formats = plan_formats(settings_, job_, problems);
     request.plots = !settings_.plots.empty();
+    request.png_scale = settings_.png_scale;
     if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
 
     begin("decode");

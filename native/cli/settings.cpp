@@ -31,6 +31,12 @@ std::vector<Parameter> setting_flags() {
       number(kNumber,
              {.key = "maxPixels", .min = 1, .max = 1 << 30, .unit = "px", .help = "Larger pictures are refused"},
              kDefaultMaxPixels),
+      number(kNumber,
+             {.key = "pngScale",
+              .min = 0.01,
+              .max = kMaxPngScale,
+              .help = "Pixels of a PNG to a pixel of the picture; a small one is drawn larger if not given"},
+             nullptr),
       number(kNumber, {.key = "timeout", .min = 0.001, .max = 1e8, .unit = "s", .help = "Give up after this time"},
              nullptr),
   };
@@ -56,6 +62,7 @@ void read_settings(const Json& given, Settings& settings, Problems& problems) {
   if (progress == "never") settings.progress = ProgressMode::kNever;
   if (values["threads"].is_number()) settings.threads = static_cast<int>(values["threads"].get<double>());
   if (values["timeout"].is_number()) settings.timeout_s = values["timeout"].get<double>();
+  if (values["pngScale"].is_number()) settings.png_scale = values["pngScale"].get<double>();
   settings.max_pixels = values["maxPixels"].get<std::uint64_t>();
 }
 

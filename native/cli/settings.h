@@ -31,6 +31,7 @@ struct Settings {
   bool quiet = false;
   std::uint64_t max_pixels = 0;
   double timeout_s = 0;  // 0: none
+  double png_scale = 0;  // 0: the sheet's size decides
 };
 
 // The flags of Settings that take a number or a word, described as parameters are.

@@ -1,6 +1,7 @@
 """Drives `tessera pattern` and `tessera measure` as their users do."""
 import json
 import math
+import struct
 import unittest
 
 from cli import CliTest, png
@@ -52,6 +53,16 @@ class PatternTest(CliTest):
         self.assertLess(max(x for x, _ in places), 40.001)
         warned = self.succeed('pattern', 'points', *SMALL, '--density', 'left.png', '-o', 'q.json')
         self.assertIn(b'only the cox process', warned.stderr)
+
+    def test_pictures_of_any_scale_and_channels(self):
+        for channels, colour_type in ((1, 0), (2, 4), (4, 6)):
+            self.succeed('pattern', 'occupancy', *SMALL, '--channels', channels, '--png-scale', '2.5', '-o', 'a.png')
+            width, height, bits, kind = struct.unpack('>IIBB', self.bytes_of('a.png')[16:26])
+            self.assertEqual((width, height, bits, kind), (300, 225, 8, colour_type))
+        self.succeed('pattern', 'occupancy', *SMALL, '--channels', 4, '--colors', '#10203040', '-o', 'a.svg')
+        self.assertIn(b'fill-opacity="0.251"', self.bytes_of('a.svg'))
+        self.fail_with(2, 'pattern', 'occupancy', '--colors', '#10203040', '-o', 'a.svg', says=['colors', '--colors'])
+        self.fail_with(2, 'pattern', 'occupancy', '--png-scale', 17, '-o', 'a.png', says=['--png-scale', '16'])
 
     def test_same_seed_same_bytes(self):
         for seed in (1, 1, 2):
