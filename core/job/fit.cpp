@@ -275,6 +275,91 @@ class Nearness {
   cv::Mat1d covariance_;
 };
 
+// ---- What is seen, and what could explain it
+
+struct Look {
+  Labels labels;
+  double spacing;  // between changes of class along a line, px of the labels
+  Curve curve, close;
+  Marks marks;
+
+  // Of borders an area: a straight line of length d crosses 2 / pi of it.
+  double border() const { return kPi / 2 / spacing; }
+};
+
+Look look_at(const Classes& classes, Rng& rng) {
+  constexpr double kShort = 2;
+  Look look{reduced(classes), 0, {}, {}, {}};
+  const double agree = statistics::same_cell(cv::Mat1i(look.labels.map), {kShort}, kNeedles, rng)[0];
+  look.spacing = kShort / std::max(1 - agree, kShort * 1e-6);
+  look.curve = measured_curve(look.labels, look.spacing, kNeedles, rng);
+  look.close = short_curve(look.labels, look.spacing);
+  look.marks = marks_of(look.labels, look.spacing, rng);
+  return look;
+}
+
+struct Explanation {
+  Candidate candidate;
+  patterns::Params params;                            // of a pattern like the labels
+  int bombs = -1;                                     // the class that lies on the other; -1: cells
+  std::function<Labels(std::uint64_t seed)> picture;  // of its own
+};
+
+Explanation explain_by_cells(const CellModel& model, const Look& look) {
+  const Form form = form_of(model);
+  // Borders between cells of one class are not seen.
+  const double border = look.border() / (1 - look.labels.by_chance);
+  const double guess = (border / model.border) * (border / model.border);
+  // A lattice comes again and again: its W(d) tells the side best where it has waves.
+  const double cells = nearest_density(is_lattice(model) ? look.curve : look.close, form, guess);
+  const double factor = look.labels.factor;
+  return {{model.model, number_of(model, cells / (factor * factor)), 0, residual_of(look.curve, form, cells)},
+          params_of(model, cells, look.labels.map.cols, look.labels.map.rows),
+          -1,
+          [&model, cells, &look](std::uint64_t seed) { return own_picture(model, cells, look.labels, seed); }};
+}
+
+// Discs dropped at random (4 c): they cover p = 1 - exp(-lambda pi r^2), the chance that they cover both ends of a
+// needle tells their diameter.
+Explanation explain_by_discs(const Look& look, int bombs) {
+  const Labels& labels = look.labels;
+  const double covered = labels.shares[static_cast<std::size_t>(bombs)], hits = -std::log(1 - covered);
+  const Form form([&](double diameters) {
+    const double agree = 1 - 2 * covered + 2 * statistics::both_covered(covered, diameters);
+    return (agree - labels.by_chance) / (1 - labels.by_chance);
+  });
+  // Borders of 2 pi r lambda (1 - p) an area, for a first guess.
+  const double guess = look.border() / (4 * hits * (1 - covered));
+  const double a_diameter = std::sqrt(nearest_density(look.close, form, guess * guess));
+  patterns::Params params;
+  params.model = Model::kCircles;
+  params.width = labels.map.cols;
+  params.height = labels.map.rows;
+  params.length = 1 / a_diameter;
+  params.intensity = hits * 4 / kPi * a_diameter * a_diameter;
+  return {{Model::kCircles, params.intensity / (labels.factor * labels.factor), 0,
+           residual_of(look.curve, form, a_diameter * a_diameter)},
+          params,
+          bombs,
+          [params, &look, bombs](std::uint64_t seed) {
+            const cv::Mat1i drawn =
+                statistics::draw_cells(cells_of(params, seed), {{0, 0}, {params.width, params.height}}, 1);
+            Labels own = look.labels;
+            own.map = cv::Mat1b(drawn.size(), static_cast<std::uint8_t>(1 - bombs));
+            own.map.setTo(bombs, drawn >= 0);
+            return own;
+          }};
+}
+
+// Refers to `look`, which is to stay.
+std::vector<Explanation> explain(const Look& look) {
+  std::vector<Explanation> explanations;
+  for (const CellModel& model : kModels) explanations.push_back(explain_by_cells(model, look));
+  if (look.labels.shares.size() == 2)
+    for (const int bombs : {0, 1}) explanations.push_back(explain_by_discs(look, bombs));
+  return explanations;
+}
+
 // Classes change only at whole multiples of one step, in both directions, and as often as by chance: noise.
 int noise_step(const Classes& classes) {
   const cv::Mat1b& labels = classes.labels;
@@ -297,6 +382,24 @@ void take_colours(const Classes& classes, patterns::Params& params) {
     params.colors += fmt::format("{}{}", space, colour_text(classes.colours[k]));
     params.probabilities += fmt::format("{}{:.4f}", space, std::max(statistics::shares_of(classes)[k], 1e-4));
   }
+}
+
+// Of more of the same, as large as the picture.
+patterns::Params params_of(const Explanation& explanation, const Classes& classes, const ImageView& picture) {
+  patterns::Params params = explanation.params;
+  params.width = picture.width;
+  params.height = picture.height;
+  take_colours(classes, params);
+  if (explanation.bombs < 0) {
+    (params.intensity < 0 ? params.size : params.intensity) = explanation.candidate.number;
+    return params;
+  }
+  const auto bombs = static_cast<std::size_t>(explanation.bombs);
+  params.length *= std::sqrt(params.intensity / explanation.candidate.number);
+  params.intensity = explanation.candidate.number;
+  params.colors = colour_text(classes.colours[bombs]) + " " + colour_text(classes.colours[1 - bombs]);
+  params.probabilities.clear();
+  return params;
 }
 
 Fit noise(const Classes& classes, int step) {
@@ -324,50 +427,34 @@ Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunC
   if (const int step = noise_step(classes)) return noise(classes, step);
 
   context.stage("marks");
-  const Labels labels = reduced(classes);
   Rng rng(seed, RngPurpose::kSites);
-  // A straight line of length d crosses 2 / pi of the borders' length an area; borders between cells of one class
-  // are not seen.
-  constexpr double kShort = 2;
-  const double agree = statistics::same_cell(cv::Mat1i(labels.map), {kShort}, kNeedles, rng)[0];
-  const double seen = std::max((1 - agree) / kShort, 1e-6), spacing = 1 / seen;
-  const double border = seen / (1 - labels.by_chance) * kPi / 2;
-  const Curve curve = measured_curve(labels, spacing, kNeedles, rng);
-  const Curve close = short_curve(labels, spacing);
-  const Marks marks = marks_of(labels, spacing, rng);
+  const Look look = look_at(classes, rng);
 
   context.stage("models");
-  std::vector<std::vector<Marks>> own;  // of each model's own pictures
-  Fit fit;
-  std::vector<double> densities;
-  for (const CellModel& model : kModels) {
-    const Form form = form_of(model);
-    const double guess = (border / model.border) * (border / model.border);
-    // A lattice comes again and again: its W(d) tells the side best where it has waves.
-    const double cells = nearest_density(is_lattice(model) ? curve : close, form, guess);
-    fit.candidates.push_back({model.model, 0, 0, residual_of(curve, form, cells)});
-    densities.push_back(cells);
+  std::vector<Explanation> explanations = explain(look);
+  std::vector<std::vector<Marks>> own;  // of each explanation's own pictures
+  for (const Explanation& explanation : explanations) {
     own.emplace_back();
     for (int k = 0; k < kOwnPictures; ++k) {
       if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
-      own.back().push_back(
-          marks_of(own_picture(model, cells, labels, seed + static_cast<std::uint64_t>(k)), spacing, rng));
+      own.back().push_back(marks_of(explanation.picture(seed + static_cast<std::uint64_t>(k)), look.spacing, rng));
     }
-    context.progress(static_cast<double>(own.size()) / std::size(kModels));
+    context.progress(static_cast<double>(own.size()) / static_cast<double>(explanations.size()));
   }
   const Nearness nearness(own);
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    fit.candidates[i].distance = nearness.distance(marks, mean_of(own[i]));
-    fit.candidates[i].number = number_of(kModels[i], densities[i] / (labels.factor * labels.factor));
+  for (std::size_t i = 0; i < own.size(); ++i)
+    explanations[i].candidate.distance = nearness.distance(look.marks, mean_of(own[i]));
+  std::stable_sort(explanations.begin(), explanations.end(), [](const Explanation& a, const Explanation& b) {
+    return a.candidate.distance < b.candidate.distance;
+  });
+
+  Fit fit;
+  fit.params = params_of(explanations.front(), classes, picture);
+  for (const Explanation& explanation : explanations) {
+    const auto same = [&](const Candidate& c) { return c.model == explanation.candidate.model; };
+    if (std::none_of(fit.candidates.begin(), fit.candidates.end(), same))
+      fit.candidates.push_back(explanation.candidate);
   }
-  const auto best = std::min_element(fit.candidates.begin(), fit.candidates.end(),
-                                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-  const auto index = static_cast<std::size_t>(best - fit.candidates.begin());
-  fit.params =
-      params_of(kModels[index], densities[index] / (labels.factor * labels.factor), picture.width, picture.height);
-  take_colours(classes, fit.params);
-  std::stable_sort(fit.candidates.begin(), fit.candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   return fit;
 }
 

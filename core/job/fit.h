@@ -26,8 +26,9 @@ struct Fit {
 };
 
 // Statistics of the picture are held against those of pictures that each cell model makes with the same density,
-// colours and size; the number is then the one whose W(d) is nearest. Wants a picture of cells of a few colours with
-// at least some dozens of them; kInvalidInput where no borders are found.
+// colours and size; the number is then the one whose W(d) is nearest. A picture of two colours may also be one of discs,
+// whose intensity and radius follow from how much they cover and how long their borders are. Wants a picture of a few
+// colours with at least some dozens of cells; kInvalidInput where no borders are found.
 Result<Fit> fit_pattern(const ImageView& picture, std::uint64_t seed, const RunContext& context);
 
 // The job that generates more of the same.

@@ -101,6 +101,11 @@ const std::vector<NamedModel>& cell_models() {
   return all;
 }
 
+double both_covered(double covered, double x) {
+  const double union_of_two = x < 1 ? 1 + 2 / kPi * (x * std::sqrt(1 - x * x) + std::asin(x)) : 2;  // in discs
+  return 2 * covered - 1 + std::pow(1 - covered, union_of_two);
+}
+
 double same_cell_chance(CellModel model, double x, double d) {
   switch (model) {
     case CellModel::kPoissonLines: return std::exp(-2 * x * d);

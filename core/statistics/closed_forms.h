@@ -20,6 +20,10 @@ const std::vector<NamedModel>& cell_models();
 // (delaunay, johnson-mehl).
 double same_cell_chance(CellModel model, double x, double d);
 
+// Discs of radius r dropped at random, which cover the share `covered` of the plane: the chance that two points at
+// distance 2 r x are both covered (section 4 c).
+double both_covered(double covered, double x);
+
 // Means of the typical cell.
 struct TypicalCell {
   double per_area, area, perimeter, sides;  // 0: not known

@@ -64,6 +64,23 @@ TEST(FitTest, AChessboardIsNoNoise) {
   EXPECT_EQ(fit->params.model, Model::kCheckerboard);
 }
 
+// Whichever colour is the more frequent one: bombs are found by what they look like.
+TEST(FitTest, FindsDiscsOfOneColourOnTheOther) {
+  for (const double intensity : {0.002, 0.006}) {
+    patterns::Params params = params_of(Model::kCircles);
+    params.colors = "#102030 #e0e0e0";
+    params.intensity = intensity;
+    params.length = 18;
+    const auto fit = fit_of(params, 4);
+    ASSERT_TRUE(fit.has_value()) << fit.error().message;
+    EXPECT_EQ(fit->candidates[0].model, Model::kCircles);
+    EXPECT_EQ(fit->params.colors, params.colors);
+    EXPECT_NEAR(fit->params.intensity / intensity, 1, 0.15);
+    EXPECT_NEAR(fit->params.length / 18, 1, 0.07);
+    EXPECT_LT(fit->candidates[0].residual, 0.05);
+  }
+}
+
 TEST(FitTest, TakesTheColoursAndTheirShares) {
   patterns::Params params = params_of(Model::kOccupancy);
   params.colors = "#102030 #e0e0e0";

@@ -64,6 +64,16 @@ TEST(ClosedFormsTest, FallFromOneToNothing) {
   }
 }
 
+TEST(ClosedFormsTest, DiscsCoverTwoPointsAsOneAtFirstAndIndependentlyLater) {
+  for (const double covered : {0.1, 0.5, 0.9}) {
+    EXPECT_NEAR(both_covered(covered, 0), covered, 1e-12);
+    EXPECT_NEAR(both_covered(covered, 1), covered * covered, 1e-12);
+    EXPECT_NEAR(both_covered(covered, 3), covered * covered, 1e-12);
+    // The union of two discs half a diameter apart has 1 + 2 / pi (sqrt(3) / 4 + pi / 6) times the area of one.
+    EXPECT_NEAR(both_covered(covered, 0.5), 2 * covered - 1 + std::pow(1 - covered, 1.6089978), 1e-7);
+  }
+}
+
 // Where the formula for short needles ends, the one for long ones begins.
 TEST(ClosedFormsTest, JoinWithoutAStep) {
   for (const CellModel model : {CellModel::kCheckerboard, CellModel::kHexagon, CellModel::kTriangle})
