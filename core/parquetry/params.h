@@ -2,7 +2,11 @@
 // Wood Pixels" (Iseringhausen, Weinmann, Huang and Hullin 2020), defaults those of its Table 1.
 #pragma once
 
+#include <string>
+
 #include "tessera/base/parameter.h"
+#include "tessera/parquetry/panel_options.h"
+#include "tessera/parquetry/registration.h"
 
 namespace tessera::parquetry {
 
@@ -28,6 +32,8 @@ struct Params {
   double clearance_mm = 1;
   double min_width_mm = 5;
   Side side = Side::kBack;
+  std::string panels;
+  Registration registration = Registration::kSimilarity;
 };
 
 // clang-format off: a parameter is read as a line or two, not as a column
@@ -109,6 +115,13 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.side, {.key = "side", .help = "From which side the panels are cut"},
            {{Side::kBack, "back", "the back, mirrored: the laser's scorch marks stay behind"},
             {Side::kFront, "front", "the front, as scanned"}});
+  v.text(p.panels, {.key = "panels",
+                    .help = "What is known of each panel: oak dpi=300 margin=5; walnut machine=10:10,160:10,10:110",
+                    .advanced = true});
+  v.choice(p.registration,
+           {.key = "registration", .help = "How scans are laid on the machine by their marks", .advanced = true},
+           {{Registration::kSimilarity, "similarity", "turned, shifted and resized evenly"},
+            {Registration::kAffine, "affine", "stretched and sheared as well"}});
   v.integer(p.adaptive_levels, {.key = "adaptiveLevels",
                                 .min = 0,
                                 .max = 4,
@@ -149,5 +162,13 @@ void visit(Visitor& v, Params& p) {
                               .advanced = true});
 }
 // clang-format on
+
+// Cross-field checks, after each field is within its own range: report(key, message).
+template <class Report>
+void check(const Params& p, Report&& report) {
+  if (p.patch_mm < p.min_width_mm) report("patchMm", "is less than minWidthMm, expected at least that");
+  if (p.patch_mm > p.image_size_mm) report("patchMm", "is more than imageSizeMm, expected at most that");
+  read_panel_options(p.panels, [&](std::string message) { report("panels", message.c_str()); });
+}
 
 }  // namespace tessera::parquetry
