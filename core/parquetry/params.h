@@ -32,6 +32,7 @@ struct Params {
   double clearance_mm = 1;
   double min_width_mm = 5;
   Side side = Side::kBack;
+  double cut_speed = 20;
   std::string panels;
   Registration registration = Registration::kSimilarity;
 };
@@ -115,6 +116,14 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.side, {.key = "side", .help = "From which side the panels are cut"},
            {{Side::kBack, "back", "the back, mirrored: the laser's scorch marks stay behind"},
             {Side::kFront, "front", "the front, as scanned"}});
+  v.number(p.cut_speed, {.key = "cutSpeed",
+                         .min = 0.01,
+                         .max = 10000,
+                         .ui_min = 1,
+                         .ui_max = 100,
+                         .unit = "mm/s",
+                         .help = "How fast the machine cuts; the report tells how long it takes",
+                         .advanced = true});
   v.text(p.panels, {.key = "panels",
                     .help = "What is known of each panel: oak dpi=300 margin=5; walnut machine=10:10,160:10,10:110",
                     .advanced = true});
