@@ -42,7 +42,8 @@ class Run {
     auto backend = make_backend(settings_.backend);
     if (!backend) return problem(std::move(backend.error()));
     auto result = compute(*inputs, request, *backend);
-    if (!result && result.error().front().field.empty() && stop_reason() == StopReason::kNone && !checkpoint_.earlier().empty())
+    if (!result && result.error().front().field.empty() && stop_reason() == StopReason::kNone &&
+        !checkpoint_.earlier().empty())
       result.error().front().field = checkpoint_.path();
     if (!result) return tl::unexpected<Problems>(std::move(result.error()));
     begin("write");
@@ -77,7 +78,8 @@ class Run {
     if (!checkpoint_.path().empty())
       context.on_state = [this](const std::function<std::string()>& state) { checkpoint_.offer(state); };
     context.earlier = checkpoint_.earlier();
-    if (settings_.improve_s > 0) context.go_on_improving = [this] { return improving_.seconds() < settings_.improve_s; };
+    if (settings_.improve_s > 0)
+      context.go_on_improving = [this] { return improving_.seconds() < settings_.improve_s; };
     return context;
   }
 

@@ -60,7 +60,8 @@ Example example() {
 }
 
 const DrawingLayer& layer(const Drawing& drawing, const std::string& name) {
-  return *std::find_if(drawing.layers.begin(), drawing.layers.end(), [&](const DrawingLayer& l) { return l.name == name; });
+  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
+                       [&](const DrawingLayer& l) { return l.name == name; });
 }
 
 bool is_inside(const Ring& ring, Point p) {
@@ -74,7 +75,8 @@ bool is_inside(const Ring& ring, Point p) {
 }
 
 TEST(ColumnLetters, CountAsSpreadsheetsDo) {
-  const std::pair<int, const char*> known[] = {{0, "A"}, {25, "Z"}, {26, "AA"}, {51, "AZ"}, {52, "BA"}, {701, "ZZ"}, {702, "AAA"}};
+  const std::pair<int, const char*> known[] = {{0, "A"},   {25, "Z"},   {26, "AA"},  {51, "AZ"},
+                                               {52, "BA"}, {701, "ZZ"}, {702, "AAA"}};
   for (const auto& [column, letters] : known) EXPECT_EQ(column_letters(column), letters);
 }
 
