@@ -52,7 +52,8 @@ class Reader {
     if (!info_ || setjmp(png_jmpbuf(png_))) return false;
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // ours have been checked
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, reinterpret_cast<png_const_bytep>("eXIf"), 1);
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, reinterpret_cast<png_const_bytep>("eXIf\0pHYs"),
+                                2);
     png_read_info(png_, info_);
     if (!as_they_are) {
       png_set_expand(png_);
@@ -77,10 +78,14 @@ class Reader {
     return true;
   }
 
-  int orientation() {
-    png_bytep exif = nullptr;
+  ExifFacts exif() {
+    png_bytep block = nullptr;
     png_uint_32 size = 0;
-    return png_get_eXIf_1(png_, info_, &size, &exif) ? exif_orientation({exif, size}) : 1;
+    return png_get_eXIf_1(png_, info_, &size, &block) ? read_exif({block, size}) : ExifFacts{};
+  }
+
+  double dpi() {
+    return dpi_of_metres(png_get_x_pixels_per_meter(png_, info_), png_get_y_pixels_per_meter(png_, info_));
   }
 
  private:
@@ -109,7 +114,9 @@ Result<Decoded> decode(Bytes file, std::uint64_t max_pixels, int stored_bytes) {
   const std::size_t stride = std::size_t{width} * static_cast<std::size_t>(bytes);
   if (!reader.read_rows(decoded.picture.rgb.get(), stride, height)) return damaged("PNG", source.message);
   if (bytes == 4) lay_over_white(decoded.picture, Alpha::kStraight);
-  decoded.orientation = reader.orientation();
+  const ExifFacts exif = reader.exif();
+  decoded.orientation = exif.orientation;
+  decoded.picture.dpi = reader.dpi() > 0 ? reader.dpi() : exif.dpi;
   return decoded;
 }
 
