@@ -18,28 +18,32 @@ constexpr double kBorderShare = 0.1;  // of the scan's border that a lid covers 
 struct Evenness {
   int window;           // px, odd
   cv::Mat3b mean;       // a channel
-  cv::Mat1b deviation;  // of brightness, rounded up
+  cv::Mat1b deviation;  // of the channel that has the largest, rounded up: a lid may be as bright as wood
 };
+
+// Raises deviations to those of a channel.
+void raise(const cv::Mat1b& channel, int window, cv::Mat1b& deviation) {
+  cv::Mat1i sum, squares;
+  const cv::Size size(window, window);
+  cv::boxFilter(channel, sum, CV_32S, size, {-1, -1}, false, cv::BORDER_REPLICATE);
+  cv::sqrBoxFilter(channel, squares, CV_32S, size, {-1, -1}, false, cv::BORDER_REPLICATE);
+  const std::int64_t n = std::int64_t{window} * window;
+  for (int y = 0; y < channel.rows; ++y)
+    for (int x = 0; x < channel.cols; ++x) {
+      const std::int64_t variance = n * squares(y, x) - std::int64_t{sum(y, x)} * sum(y, x);  // times n^2
+      const double root = std::ceil(std::sqrt(static_cast<double>(variance)) / static_cast<double>(n));
+      deviation(y, x) = std::max(deviation(y, x), cv::saturate_cast<std::uint8_t>(root));
+    }
+}
 
 Evenness evenness_of(const cv::Mat3b& rgb, double mm_per_px) {
   Evenness even;
   even.window = 2 * std::max(1, static_cast<int>(std::lround(kWindowMm / mm_per_px / 2))) + 1;
-  const cv::Size size(even.window, even.window);
-  cv::boxFilter(rgb, even.mean, CV_8U, size, {-1, -1}, true, cv::BORDER_REPLICATE);
-  cv::Mat1b grey;
-  cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
-  cv::Mat1i sum, squares;
-  cv::boxFilter(grey, sum, CV_32S, size, {-1, -1}, false, cv::BORDER_REPLICATE);
-  cv::sqrBoxFilter(grey, squares, CV_32S, size, {-1, -1}, false, cv::BORDER_REPLICATE);
-  const std::int64_t n = std::int64_t{even.window} * even.window;
-  even.deviation.create(rgb.size());
-  for (int y = 0; y < rgb.rows; ++y)
-    for (int x = 0; x < rgb.cols; ++x) {
-      const std::int64_t variance = n * squares(y, x) - std::int64_t{sum(y, x)} * sum(y, x);  // times n^2
-      int deviation = 0;
-      while (deviation < 255 && n * n * deviation * deviation < variance) ++deviation;
-      even.deviation(y, x) = static_cast<std::uint8_t>(deviation);
-    }
+  cv::boxFilter(rgb, even.mean, CV_8U, {even.window, even.window}, {-1, -1}, true, cv::BORDER_REPLICATE);
+  even.deviation = cv::Mat1b::zeros(rgb.size());
+  std::vector<cv::Mat1b> channels;
+  cv::split(rgb, channels);
+  for (const cv::Mat1b& channel : channels) raise(channel, even.window, even.deviation);
   return even;
 }
 

@@ -25,7 +25,7 @@ Output pave(const cv::Mat3b& picture, const Params& params, std::uint64_t seed) 
 }
 
 struct Paved {
-  const Drawing* drawing;
+  const NamedDrawing* drawing;
   std::uint64_t seed;
   Params params;
   Output output;
@@ -37,10 +37,10 @@ constexpr int kSeeds = 30;
 
 // Each drawing paved with many seeds and varied parameters; made once for all tests.
 const std::vector<Paved>& all_results() {
-  static const std::vector<Drawing> drawings = all_drawings();
+  static const std::vector<NamedDrawing> drawings = all_drawings();
   static const std::vector<Paved> results = [] {
     std::vector<Paved> list;
-    for (const Drawing& drawing : drawings) {
+    for (const NamedDrawing& drawing : drawings) {
       for (int seed = 0; seed < kSeeds; ++seed) {
         Params params;
         params.colors = drawing.colors;
@@ -249,7 +249,7 @@ bool same(const Output& a, const Output& b) {
 
 TEST(Pavement, SameResultOnEveryRunForAnyNumberOfThreads) {
   const int threads = cv::getNumThreads();
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     for (const Method method : {Method::kFlow, Method::kPaper}) {
       Params params;
       params.colors = drawing.colors;
@@ -293,7 +293,7 @@ TEST(Pavement, DifferentSeedsMakeDifferentPavements) {
 }
 
 TEST(Pavement, WithoutIterationsThereAreStones) {
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     Params params;
     params.colors = drawing.colors;
     params.iterations = 0;
@@ -415,7 +415,7 @@ TEST(Pavement, APictureWithoutPixelsIsRefused) {
 }
 
 TEST(Pavement, TheDrawingIsOnlyRead) {
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     for (const int supersample : {0, 1, 3}) {
       const cv::Mat3b picture = drawing.picture.clone();
       Params params;
@@ -439,7 +439,7 @@ TEST(Pavement, RowsMayBePadded) {
 }
 
 TEST(Pavement, ThePapersMethodGivesAStoneACell) {
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     Params params;
     params.colors = drawing.colors;
     params.method = Method::kPaper;

@@ -77,13 +77,13 @@ inline cv::Mat3b hairline_cross_drawing() {
   return picture;
 }
 
-struct Drawing {
+struct NamedDrawing {
   std::string name;
   cv::Mat3b picture;
   int colors = 2;
 };
 
-inline std::vector<Drawing> all_drawings() {
+inline std::vector<NamedDrawing> all_drawings() {
   return {{"disc", disc_drawing()},
           {"wave", wave_drawing()},
           {"checker of one pixel", checker_drawing(40, 32, 1)},

@@ -21,7 +21,7 @@ Params quick() {
 // Calls check(name, prepared, tessellation) for all drawings and some seeds.
 template <class Check>
 void for_tessellations(const Check& check) {
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       Params params = quick();
       params.colors = drawing.colors;

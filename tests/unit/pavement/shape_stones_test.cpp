@@ -24,7 +24,7 @@ struct Shaped {
 
 template <class Check>
 void for_shaped(const Check& check) {
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       Shaped s;
       s.params.iterations = 8;
@@ -194,7 +194,7 @@ TEST(Shrink, WhatHasNoAreaIsLeftAlone) {
 }
 
 TEST(PaperStones, OneRingACellOfFiniteVertices) {
-  for (const Drawing& drawing : all_drawings()) {
+  for (const NamedDrawing& drawing : all_drawings()) {
     Params params;
     params.iterations = 8;
     params.colors = drawing.colors;
