@@ -91,15 +91,15 @@ void check_request(const Technique& technique, const JobRequest& request, Proble
 
 void check_pictures(const Technique& technique, const Pictures& pictures, Problems& problems) {
   for (const InputRole& role : technique.inputs) {
-    const auto found = pictures.find(std::string(role.name));
-    const char* trouble = nullptr;
-    if (found == pictures.end()) {
-      if (!role.required) continue;
-      trouble = "is missing, expected a picture";
-    } else if (!found->second.pixels || found->second.width < 1 || found->second.height < 1) {
-      trouble = "has no pixels, expected at least one";
+    bool missing = role.required;
+    for (const auto& [input, picture] : pictures) {
+      if (role_of(technique, input) != &role) continue;
+      missing = false;
+      if (!picture.pixels || picture.width < 1 || picture.height < 1)
+        problems.push_back({StatusCode::kInvalidInput, input, "has no pixels, expected at least one"});
     }
-    if (trouble) problems.push_back({StatusCode::kInvalidInput, std::string(role.name), trouble});
+    if (missing)
+      problems.push_back({StatusCode::kInvalidInput, std::string(role.name), "is missing, expected a picture"});
   }
 }
 
@@ -110,6 +110,13 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
   std::vector<Artifact> artifacts;
   for (const std::string& name : request.formats) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
+    if (name == "folder") {
+      for (Artifact& file : outcome.folder()) {
+        file.name = "folder/" + file.name;
+        artifacts.push_back(std::move(file));
+      }
+      continue;
+    }
     const Format& format = format_of(name);
     artifacts.push_back({format.name, format.media_type, format.write(outcome, scale)});
     context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));
@@ -134,7 +141,8 @@ Result<Outcome> compute_valid_job(const Job& job, const Pictures& pictures, Rast
   };
   auto outcome = technique.run(job, pictures, rasterizer, context, recorder ? record : observer);
   if (!outcome) return outcome;
-  outcome->sheet.job_json = outcome->scene.job_json = job_to_text(job);
+  if (!outcome->done) outcome->done = job;
+  outcome->sheet.job_json = outcome->scene.job_json = job_to_text(*outcome->done);
   if (recorder) outcome->frames = {recorder->frames(), [recorder](int index) { return recorder->frame(index); }};
   return outcome;
 }
@@ -207,7 +215,8 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
   if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));
-  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics)};
+  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics),
+                   *std::move(outcome->done)};
 }
 
 }  // namespace tessera

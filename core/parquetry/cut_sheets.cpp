@@ -103,9 +103,7 @@ Drawing assembly(const std::vector<CutPiece>& pieces, int target, cv::Size size,
   drawing.width = size.width * mm_per_px;
   drawing.height = size.height * mm_per_px;
   const bool mirrored = params.side == Side::kBack;
-  const auto seen = [&](Point px) {
-    return mm_per_px * (mirrored ? Point{size.width - px.x, px.y} : px);
-  };
+  const auto seen = [&](Point px) { return mm_per_px * (mirrored ? Point{size.width - px.x, px.y} : px); };
   DrawingLayer outlines{"outlines", kOutline, 0.2, {}}, labels{"labels", kLabel, 0.2, {}};
   for (const CutPiece& piece : pieces) {
     if (piece.target != target) continue;

@@ -12,6 +12,7 @@
 
 #include "tessera/cli/flags.h"
 #include "tessera/cli/messages.h"
+#include "tessera/cli/panel_flags.h"
 #include "tessera/job/techniques.h"
 
 namespace tessera {
@@ -28,7 +29,7 @@ constexpr const char* kJobFooter =
 // The flags that every command shares which runs a job.
 class SettingFlags {
  public:
-  SettingFlags(CLI::App& command, const std::vector<std::string>& formats)
+  SettingFlags(CLI::App& command, const std::vector<std::string>& formats, bool long_running)
       : common_(command, kGroup, setting_flags()) {
     const auto add = [&](const char* flags, auto& target, const char* type, const std::string& help) {
       return command.add_option(flags, target, help)->type_name(type)->group(kGroup);
@@ -52,6 +53,11 @@ class SettingFlags {
     add("--save-job", settings_.save_job, "FILE", "Write the job as JSON, for tessera run");
     add("--plots", settings_.plots, "FOLDER", "Write histograms and curves as SVG");
     command.add_flag("--quiet", settings_.quiet, "Neither bar nor warnings")->group(kGroup);
+    if (!long_running) return;
+    add("--improve", settings_.improve_s, "SECONDS", "Go on making the result better for so long")
+        ->check(CLI::Range(0.001, 1e8));
+    command.add_flag("--resume", settings_.resume, "Go on where an interrupted run stopped (FOLDER.checkpoint)")
+        ->group(kGroup);
   }
 
   Settings read(Problems& problems) const {
@@ -95,9 +101,10 @@ class TechniqueCommand {
         app_(*app.add_subcommand(std::string(technique.command), std::string(technique.help))),
         main_(app_, "Parameters", select(parameters_of(technique.defaults), false)),
         advanced_(app_, "More parameters", select(parameters_of(technique.defaults), true)),
-        run_(app_, technique.formats) {
+        run_(app_, technique.formats, technique.long_running) {
     for (const InputRole& role : technique.inputs) {
       const std::string name(role.name);
+      if (role.many) continue;
       std::string& path = inputs_[name];
       if (role.required) {
         app_.add_option(upper(role.name), path, std::string(role.help))->required()->type_name("FILE");
@@ -105,6 +112,16 @@ class TechniqueCommand {
         app_.add_option("--" + name, path, std::string(role.help))->type_name("FILE")->group("Inputs");
       }
     }
+    if (find_role("panel")) {
+      app_.add_option("--panel", panels_, "A scan of veneer; several are allowed")
+          ->type_name("SCAN[,mask=FILE,dpi=N,name=WORD,margin=MM,machine=X:Y,...]")
+          ->allow_extra_args(false)
+          ->take_all()
+          ->group("Inputs");
+    }
+    for (const Question& question : technique.questions)
+      app_.add_flag("--" + std::string(question.name), asked_[question.name], std::string(question.help))
+          ->group("Run");
     if (!technique.subject.empty()) {
       app_.add_option(upper(technique.subject), subject_, "What to make; --list names them")->type_name("NAME");
       app_.add_flag("--list", list_, "Print the names and what they are")->group("Run");
@@ -124,14 +141,32 @@ class TechniqueCommand {
     Json given = main_.given();
     given.update(advanced_.given());
     take_subject(given, problems);
+    take_panels(given, command.job, problems);
     take_file(given, command.job);
     read_params(given, command.job.params, problems);
     for (const ParameterFlags* flags : {&main_, &advanced_}) flags->name_flags(problems);
     run_.name_flags(problems);
+    for (const Question& question : technique_.questions)
+      if (asked_.at(question.name)) return AskJob{command.job, &question, command.settings};
+    if (find_role("panel") && panels_.empty() && problems.empty())
+      problems.push_back({StatusCode::kInvalidParameter, "", "there is no panel, expected --panel SCAN"});
     return command;
   }
 
  private:
+  const InputRole* find_role(std::string_view name) const {
+    for (const InputRole& role : technique_.inputs)
+      if (role.name == name) return &role;
+    return nullptr;
+  }
+
+  void take_panels(Json& given, Job& job, Problems& problems) const {
+    if (panels_.empty()) return;
+    std::string options = given.value("panels", "");
+    tessera::take_panels(panels_, job, options, problems);
+    if (!options.empty()) given["panels"] = options;
+  }
+
   // "occupancy  each place goes to the nearest point", a line each.
   std::string subjects() const {
     std::string text;
@@ -171,6 +206,8 @@ class TechniqueCommand {
   const Technique& technique_;
   CLI::App& app_;
   std::map<std::string, std::string> inputs_;
+  std::vector<std::string> panels_;
+  std::map<std::string_view, bool> asked_;  // question -> whether it is
   std::string subject_;
   bool list_ = false;
   ParameterFlags main_, advanced_;
@@ -181,7 +218,7 @@ class TechniqueCommand {
 class SavedJobCommand {
  public:
   explicit SavedJobCommand(CLI::App& app)
-      : app_(*app.add_subcommand("run", "Run a saved job again, or the job inside an SVG")), run_(app_, {}) {
+      : app_(*app.add_subcommand("run", "Run a saved job again, or the job inside an SVG")), run_(app_, {}, true) {
     app_.add_option("JOB", command_.path, "A job's JSON, or an SVG that tessera made")->required()->type_name("FILE");
     app_.add_option("--set", command_.changes, "Change a parameter, an input or the seed")
         ->type_name("KEY=VALUE")

@@ -1,8 +1,10 @@
 #include "tessera/cli/run_command.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "tessera/cli/backend.h"
+#include "tessera/cli/checkpoint.h"
 #include "tessera/cli/inputs.h"
 #include "tessera/cli/messages.h"
 #include "tessera/cli/outputs.h"
@@ -28,19 +30,29 @@ class Run {
     request.plots = !settings_.plots.empty();
     if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
 
+    checkpoint_ = Checkpoint(checkpoint_path(settings_, request.formats));
+    if (settings_.resume) {
+      if (auto read = checkpoint_.read(); !read) return problem(std::move(read.error()));
+    }
     begin("decode");
-    auto inputs = read_inputs(job_, folder, settings_.max_pixels, !settings_.report.empty());
+    const bool reports = !report_paths(settings_, request.formats).empty();
+    auto inputs = read_inputs(job_, folder, settings_.max_pixels, reports);
     if (!inputs) return tl::unexpected<Problems>(std::move(inputs.error()));
     begin("backend");
     auto backend = make_backend(settings_.backend);
     if (!backend) return problem(std::move(backend.error()));
     auto result = compute(*inputs, request, *backend);
+    if (!result && result.error().front().field.empty() && stop_reason() == StopReason::kNone &&
+        !checkpoint_.earlier().empty())
+      result.error().front().field = checkpoint_.path();
     if (!result) return tl::unexpected<Problems>(std::move(result.error()));
     begin("write");
-    auto written = write(*inputs, *result, backend->rasterizer->name());
+    auto written = write(*inputs, request.formats, *result, backend->rasterizer->name());
     if (!written) return problem(std::move(written.error()));
     return {};
   }
+
+  const std::string& kept() const { return checkpoint_.kept(); }
 
  private:
   void begin(std::string_view stage) {
@@ -57,9 +69,17 @@ class Run {
   RunContext context() {
     RunContext context;
     context.stop = &stop_flag();
-    context.on_stage = [this](std::string_view stage) { begin(stage); };
+    context.on_stage = [this](std::string_view stage) {
+      begin(stage);
+      improving_ = {};
+    };
     context.on_progress = [this](double fraction) { bar_.progress(fraction); };
     context.on_warning = [this](std::string_view message) { warn(message); };
+    if (!checkpoint_.path().empty())
+      context.on_state = [this](const std::function<std::string()>& state) { checkpoint_.offer(state); };
+    context.earlier = checkpoint_.earlier();
+    if (settings_.improve_s > 0)
+      context.go_on_improving = [this] { return improving_.seconds() < settings_.improve_s; };
     return context;
   }
 
@@ -77,24 +97,28 @@ class Run {
     return run_job(job_, pictures, request, *backend.rasterizer, context());
   }
 
-  Result<void> write(const std::map<std::string, Input>& inputs, const JobResult& result, std::string_view backend) {
+  Result<void> write(const std::map<std::string, Input>& inputs, const std::vector<std::string>& formats,
+                     const JobResult& result, std::string_view backend) {
     const UnkillableScope unkillable;
     AtomicFiles files;
-    auto written = write_outputs(settings_, job_, result, files);
+    auto written = write_outputs(settings_, formats, result.job, result, files);
     if (!written) return tl::unexpected<Status>(std::move(written.error()));
     clock_.end();
-    if (!settings_.report.empty()) {
-      auto done = files.add(settings_.report, write_report(job_, backend, inputs, result, *written, clock_));
+    for (const std::string& path : report_paths(settings_, formats)) {
+      auto done = files.add(path, write_report(result.job, backend, inputs, result, *written, clock_));
       if (!done) return done;
     }
     if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
     bar_.clear();
+    if (!checkpoint_.path().empty()) files.remove(checkpoint_.path());
     return files.commit();
   }
 
   const Job& job_;
   const Settings& settings_;
   StageClock clock_;
+  Checkpoint checkpoint_;
+  Stopwatch improving_;  // since the stage began
   ProgressBar bar_{settings_.quiet ? ProgressMode::kNever : settings_.progress};
 };
 
@@ -102,10 +126,34 @@ class Run {
 
 int run_and_write(Job job, const Settings& settings, const std::string& folder) {
   if (settings.seed) job.seed = *settings.seed;
-  const auto done = Run(job, settings)(folder);
+  Run run(job, settings);
+  const auto done = run(folder);
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
-  return print_problems(stop_reason() == StopReason::kNone ? done.error() : Problems{stop_status()});
+  if (stop_reason() == StopReason::kNone) return print_problems(done.error());
+  Status stopped = stop_status();
+  if (!run.kept().empty()) stopped.message += "; what is done is kept in " + run.kept() + ", --resume goes on";
+  return print_problems({stopped});
+}
+
+tl::expected<std::string, Problems> ask_job(Job job, const Question& question, const Settings& settings) {
+  const Technique& technique = technique_of(job.params);
+  std::erase_if(job.inputs, [&](const auto& input) {
+    const InputRole* role = role_of(technique, input.first);
+    return !role || std::find(question.inputs.begin(), question.inputs.end(), role->name) == question.inputs.end();
+  });
+  const auto inputs = read_inputs(job, "", settings.max_pixels, false);
+  if (!inputs) return tl::unexpected<Problems>(inputs.error());
+  Pictures pictures;
+  for (const auto& [role, input] : *inputs) pictures[role] = input.picture.view();
+  RunContext context;
+  context.stop = &stop_flag();
+  context.on_warning = [&](std::string_view message) {
+    if (!settings.quiet) print_message("warning: " + std::string(message));
+  };
+  auto answer = question.answer(job, pictures, context);
+  if (!answer) return problem(stop_reason() == StopReason::kNone ? answer.error() : stop_status());
+  return *std::move(answer);
 }
 
 }  // namespace tessera

@@ -31,6 +31,8 @@ struct Settings {
   bool quiet = false;
   std::uint64_t max_pixels = 0;
   double timeout_s = 0;  // 0: none
+  double improve_s = 0;  // 0: as the job says
+  bool resume = false;
 };
 
 // The flags of Settings that take a number or a word, described as parameters are.
