@@ -7,7 +7,7 @@
 namespace tessera::parquetry {
 namespace {
 
-constexpr int kTries = 6;      // places of a piece that are looked at, those that cost it least
+constexpr int kMostTries = 8;  // places of a piece that are looked at, those that cost it least
 constexpr int kMostMoved = 4;  // pieces that may be in the way
 
 class Exchange {
@@ -26,10 +26,10 @@ class Exchange {
   Placement placement(int piece) const { return workshop_.placement_of(pieces_[piece], matches_[piece]); }
 
   // Tries places that cost the piece less than its own, the best first, each away from those before.
-  bool move(int piece, const std::function<bool()>& go_on) {
+  bool move(int piece, int tries, const std::function<bool()>& go_on) {
     bool moved = false;
     int tried = 0;
-    for (; tried < kTries && go_on(); ++tried) {
+    for (; tried < tries && go_on(); ++tried) {
       const auto better = best(piece, whole_, cost(piece) - 1);
       if (!better) break;
       if (move_to(piece, *better)) {
@@ -107,14 +107,13 @@ int improve(Workshop& workshop, std::vector<Laid>& pieces, const std::function<b
   std::iota(order.begin(), order.end(), 0);
   // The last to choose have lost most.
   std::reverse(order.begin(), order.end());
-  for (bool gained = true; gained && go_on();) {
-    gained = false;
-    for (const int piece : order) {
-      if (!go_on()) break;
-      if (!exchange.move(piece, go_on)) continue;
-      gained = true;
-      ++moves;
-    }
+  // First what is found soonest; more places of a piece where that is at its end.
+  for (int tries = 1; tries <= kMostTries && go_on();) {
+    int gained = 0;
+    for (const int piece : order)
+      if (go_on() && exchange.move(piece, tries, go_on)) ++gained;
+    moves += gained;
+    if (gained == 0) tries *= 2;
   }
   for (int i = 0; i < exchange.size(); ++i) pieces[i].placement = exchange.placement(i);
   return moves;
