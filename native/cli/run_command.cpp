@@ -1,6 +1,7 @@
 #include "tessera/cli/run_command.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "tessera/cli/backend.h"
@@ -126,13 +127,15 @@ class Run {
 
 int run_and_write(Job job, const Settings& settings, const std::string& folder) {
   if (settings.seed) job.seed = *settings.seed;
-  Run run(job, settings);
-  const auto done = run(folder);
+  auto run = std::make_unique<Run>(job, settings);
+  const auto done = (*run)(folder);
+  const std::string kept = run->kept();
+  run.reset();  // and its bar, before anything is said
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
   if (stop_reason() == StopReason::kNone) return print_problems(done.error());
   Status stopped = stop_status();
-  if (!run.kept().empty()) stopped.message += "; what is done is kept in " + run.kept() + ", --resume goes on";
+  if (!kept.empty()) stopped.message += "; what is done is kept in " + kept + ", --resume goes on";
   return print_problems({stopped});
 }
 

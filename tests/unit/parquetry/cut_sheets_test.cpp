@@ -155,10 +155,10 @@ TEST(CutSheet, LiesWhereThePanelLies) {
   Params params;
   params.side = Side::kFront;
   const Drawing drawing = cut_sheet(e.panels, 0, e.pieces, params).drawing;
-  EXPECT_NEAR(drawing.left, 120, 1e-9);
-  EXPECT_NEAR(drawing.top, 10, 1e-9);
-  EXPECT_NEAR(drawing.width, 80, 1e-9);
-  EXPECT_NEAR(drawing.height, 100, 1e-9);
+  EXPECT_NEAR(drawing.left, 0, 1e-9);
+  EXPECT_NEAR(drawing.top, 0, 1e-9);
+  EXPECT_NEAR(drawing.width, 200, 1e-9);
+  EXPECT_NEAR(drawing.height, 110, 1e-9);
   for (const Stroke& cut : layer(drawing, "cut").strokes)
     if (cut.id == "cut-C2") {
       EXPECT_NEAR(centroid(cut.lines[0]).x, 200 - 180.25 * kMmPerPx, 1e-3);
