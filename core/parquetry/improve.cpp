@@ -7,7 +7,7 @@
 namespace tessera::parquetry {
 namespace {
 
-constexpr int kTries = 6;      // places of a piece that are looked at, those that cost it least
+constexpr int kMostTries = 8;  // places of a piece that are looked at, those that cost it least
 constexpr int kMostMoved = 4;  // pieces that may be in the way
 
 class Exchange {
@@ -19,30 +19,52 @@ class Exchange {
       matches_.push_back(workshop.match_of(laid.placement));
       if (matches_.back()) take(static_cast<int>(pieces_.size()) - 1);
     }
+    choices_.resize(pieces_.size());
   }
 
   int size() const { return static_cast<int>(pieces_.size()); }
   const std::optional<Match>& match(int piece) const { return matches_[piece]; }
   Placement placement(int piece) const { return workshop_.placement_of(pieces_[piece], matches_[piece]); }
 
-  // Tries places that cost the piece less than its own, the best first, each away from those before.
-  bool move(int piece, const std::function<bool()>& go_on) {
-    bool moved = false;
-    int tried = 0;
-    for (; tried < kTries && go_on(); ++tried) {
-      const auto better = best(piece, whole_, cost(piece) - 1);
-      if (!better) break;
-      if (move_to(piece, *better)) {
-        moved = true;
-        break;
-      }
-      whole_.take(tried, panel_of(*better), workshop_.cut_of(pieces_[piece], *better));
+  // What the piece would gain at the best place of all, were there no others.
+  std::int64_t wish(int piece) {
+    const auto first = choice(piece, 0);
+    return first ? cost(piece) - first->cost : 0;
+  }
+
+  // Tries the places where the piece would cost less, `tries` of them, the best first.
+  bool move(int piece, int tries, const std::function<bool()>& go_on) {
+    for (int i = 0; i < tries && go_on(); ++i) {
+      const auto place = choice(piece, i);
+      if (!place) break;
+      if (move_to(piece, *place)) return true;
     }
-    while (tried > 0) whole_.put_back(--tried);
-    return moved;
+    return false;
   }
 
  private:
+  // Places on wood without cuts, the i-th best one away from those before, if it costs less than the piece does now.
+  std::optional<Match> choice(int piece, int i) {
+    Choices& known = choices_[piece];
+    const std::int64_t limit = cost(piece) - 1;
+    if (i < static_cast<int>(known.best.size())) {
+      if (known.best[i].cost > limit) return {};
+      return known.best[i];
+    }
+    if (limit <= known.none_within) return {};
+    int taken = 0;
+    for (const Match& match : known.best)
+      whole_.take(taken++, panel_of(match), workshop_.cut_of(pieces_[piece], match));
+    const auto next = best(piece, whole_, limit);
+    while (taken > 0) whole_.put_back(--taken);
+    if (next) {
+      known.best.push_back(*next);
+    } else {
+      known.none_within = limit;
+    }
+    return next;
+  }
+
   std::int64_t cost(int piece) const {
     constexpr std::int64_t kNone = std::int64_t{1} << 50;  // more than a whole picture of pieces
     return matches_[piece] ? matches_[piece]->cost : kNone;
@@ -92,10 +114,16 @@ class Exchange {
     for (const auto& [piece, match] : before) set(piece, match);
   }
 
+  struct Choices {
+    std::vector<Match> best;
+    std::int64_t none_within = -1;  // beyond those, nothing costs as little
+  };
+
   Workshop& workshop_;
   Wood whole_, wood_;  // without cuts; with all pieces' cuts
   std::vector<Template> pieces_;
   std::vector<std::optional<Match>> matches_;
+  std::vector<Choices> choices_;
 };
 
 }  // namespace
@@ -105,16 +133,17 @@ int improve(Workshop& workshop, std::vector<Laid>& pieces, const std::function<b
   int moves = 0;
   std::vector<int> order(pieces.size());
   std::iota(order.begin(), order.end(), 0);
-  // The last to choose have lost most.
-  std::reverse(order.begin(), order.end());
-  for (bool gained = true; gained && go_on();) {
-    gained = false;
-    for (const int piece : order) {
-      if (!go_on()) break;
-      if (!exchange.move(piece, go_on)) continue;
-      gained = true;
-      ++moves;
-    }
+  // Those first that may gain most; more places of a piece where that is at its end.
+  for (int tries = 1; tries <= kMostTries && go_on();) {
+    std::vector<std::int64_t> wishes(pieces.size(), 0);
+    for (const int piece : order)
+      if (go_on()) wishes[piece] = exchange.wish(piece);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return wishes[a] > wishes[b]; });
+    int gained = 0;
+    for (const int piece : order)
+      if (go_on() && exchange.move(piece, tries, go_on)) ++gained;
+    moves += gained;
+    if (gained == 0) tries *= 2;
   }
   for (int i = 0; i < exchange.size(); ++i) pieces[i].placement = exchange.placement(i);
   return moves;

@@ -8,6 +8,7 @@
 namespace tessera::parquetry {
 namespace {
 
+constexpr int kUnit = 16 * 16;       // pixels: coarse bounds are in squared bytes of as many
 constexpr double kSlack = 1 + 1e-9;  // more than doubles lose
 
 // The greatest sum of squared bytes, over blocks of `pixels`, that a place of cost `limit` may have.
@@ -58,9 +59,12 @@ class Matcher::Search {
   // All places that can be as good as what was found.
   void look_closely() {
     if (last_.x < 0 || last_.y < 0) return;
+    const bool smaller = patch_.coarse.size() > 1 && matcher_.level_of(patch_.coarse[1].side) >= 0;
     for (int y = 0; y <= last_.y / kGroup; ++y) {
       found_.clear();
       find_at_most(bounds(y), last_.x / kGroup + 1, coarse_limit(), found_);
+      if (found_.empty()) continue;
+      if (smaller) bound_found(y);
       for (const int x : found_)
         if (bounds(y)[x] <= coarse_limit()) visit(x, y);
     }
@@ -80,23 +84,30 @@ class Matcher::Search {
     const int end = std::min(last_.x / kGroup + 1, span.end - shape.deep.x);
     std::fill(row, row + frame_.stride, kNoRoom);
     if (begin >= end) return kNoRoom;
-    const auto side =
-        std::find(matcher_.sides_.begin(), matcher_.sides_.end(), patch_.side) - matcher_.sides_.begin();
-    const Rows& level = frame_.coarse[side];
-    const std::uint8_t* from = level.at(y, begin);
-    blocks_.clear();
-    for (const cv::Point block : patch_.blocks) blocks_.push_back(level.at(y + block.y, begin + block.x) - from);
-    CoarseRow arguments{from,
-                        level.plane_size(),
-                        2 * matcher_.code_.channels,
-                        &blocks_,
-                        patch_.moments.data(),
-                        wood_.room(index_).at(y + shape.deep.y, begin + shape.deep.x),
-                        needed_room(),
-                        end - begin};
-    const std::uint16_t least = coarse_bounds(arguments, row + begin);
+    const std::uint8_t* room = wood_.room(index_).at(y + shape.deep.y, begin + shape.deep.x);
+    const std::uint16_t least = bound_groups(patch_.coarse[0], y, {begin, end}, room, needed_room());
     std::fill(row + end, row + frame_.stride, kNoRoom);
     return least;
+  }
+
+  // Of groups that were found, by smaller blocks.
+  void bound_found(int y) {
+    wanted_.assign(frame_.stride + kRowPadding, 0);
+    for (const int x : found_) wanted_[x] = 1;
+    const Span span{found_.front(), found_.back() + 1};
+    bound_groups(patch_.coarse[1], y, span, wanted_.data() + span.begin, 1);
+  }
+
+  std::uint16_t bound_groups(const Template::Coarse& coarse, int y, Span span, const std::uint8_t* room,
+                             std::uint8_t need) {
+    const Rows& level = frame_.coarse[matcher_.level_of(coarse.side)];
+    const std::uint8_t* from = level.at(y, span.begin);
+    blocks_.clear();
+    for (const cv::Point block : coarse.blocks) blocks_.push_back(level.at(y + block.y, span.begin + block.x) - from);
+    const int shift = coarse.side == 16 ? 0 : coarse.side == 8 ? 2 : 4;  // to what blocks of kUnit pixels have
+    return coarse_bounds({from, level.plane_size(), 2 * matcher_.code_.channels, &blocks_, coarse.moments.data(),
+                          room, need, shift, span.end - span.begin},
+                         bounds(y) + span.begin);
   }
 
   // The room a group needs: a place of the patch `depth` inside it is at most 1.5 px across and down from its middle.
@@ -115,9 +126,8 @@ class Matcher::Search {
     const std::int64_t limit = limit_.load(std::memory_order_relaxed);
     if (limit == followed_) return;
     followed_ = limit;
-    const double scale = matcher_.code_.scale;
     // A bound of kNoRoom - 1 may stand for a greater one: that is below such a limit only where all bounds are.
-    const double most_coarse = bytes_within(limit, patch_.side * patch_.side, scale);
+    const double most_coarse = bytes_within(limit, kUnit, matcher_.code_.scale);
     coarse_limit_ = static_cast<std::uint16_t>(std::min<double>(most_coarse, kNoRoom - 1));
     for (int off = 0; off < kGroup; ++off) fine_limit_[off] = fine_limit(patch_.fine[off], limit);
   }
@@ -175,6 +185,7 @@ class Matcher::Search {
   std::array<std::int64_t, kGroup> fine_limit_{};
   std::vector<std::ptrdiff_t> blocks_;
   std::vector<int> found_;
+  std::vector<std::uint8_t> wanted_;
   std::optional<Match> best_;
 };
 
@@ -198,7 +209,7 @@ Matcher::Matcher(const std::vector<cv::Mat>& features, const std::vector<cv::Mat
 }
 
 std::optional<Match> Matcher::best(const Template& patch, const Wood& wood, std::int64_t limit) {
-  assert(std::find(sides_.begin(), sides_.end(), patch.side) != sides_.end());
+  assert(level_of(patch.coarse[0].side) >= 0);
   std::atomic<std::int64_t> shared = limit;
   std::vector<Search> searches;
   searches.reserve(views_.size());
@@ -221,6 +232,11 @@ std::int64_t Matcher::cost(const Template& patch, int view, cv::Point at, std::i
   const Rows& features = frames_[view].features;
   return squared_differences(patch.pixels, features.data(), features.starts() + at.y,
                              std::ptrdiff_t{at.x} * code_.channels, limit);
+}
+
+int Matcher::level_of(int side) const {
+  const auto found = std::find(sides_.begin(), sides_.end(), side);
+  return found == sides_.end() ? -1 : static_cast<int>(found - sides_.begin());
 }
 
 std::size_t Matcher::bytes() const {

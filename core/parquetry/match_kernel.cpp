@@ -45,7 +45,7 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
       const std::uint8_t* from = row.planes + block + x;
       for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * row.plane_size) {
         const int off = std::max({0, from[0] - target[1], target[0] - from[row.plane_size]});
-        sum = std::min(kNoRoom - 1, sum + off * off);
+        sum = std::min(kNoRoom - 1, sum + (off * off >> row.shift));
       }
     }
     bounds[x] = static_cast<std::uint16_t>(sum);
@@ -61,9 +61,9 @@ void find_at_most(const std::uint16_t* bounds, int count, std::uint16_t limit, s
 
 #else
 
-using D8 = hn::CappedTag<std::uint8_t, Stencil::kVector>;
-using D16 = hn::Repartition<std::int16_t, D8>;
-using D32 = hn::Repartition<std::int32_t, D8>;
+using D16 = hn::CappedTag<std::int16_t, Stencil::kVector>;
+using D8 = hn::Rebind<std::uint8_t, D16>;
+using D32 = hn::RepartitionToWide<D16>;
 
 constexpr int kRowsBetweenLooks = 4;
 constexpr std::ptrdiff_t kLongRow = 1 << 13;  // bytes: four of them may be too much for a sum of 32 bits
@@ -73,27 +73,23 @@ std::int64_t squared_differences(const Stencil& stencil, const std::uint8_t* dat
   const D8 d8;
   const D16 d16;
   const D32 d32;
-  const auto zero = hn::Zero(d8);
-  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d8));
-  const std::uint8_t* values = stencil.values.data();
-  const std::uint8_t* mask = stencil.mask.data();
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d16));
+  const std::int16_t* values = stencil.values.data();
+  const std::int16_t* mask = stencil.mask.data();
   const int rows = static_cast<int>(stencil.order.size());
   const int step = stencil.stride < kLongRow ? kRowsBetweenLooks : 1;
   std::int64_t total = 0;
   for (int k = 0; k < rows;) {
-    auto low = hn::Zero(d32), high = hn::Zero(d32), rest = hn::Zero(d32);
+    auto sum = hn::Zero(d32), rest = hn::Zero(d32);
     for (const int end = std::min(rows, k + step); k < end; ++k) {
       const std::uint8_t* from = data + starts[stencil.order[k]] + x;
       for (std::ptrdiff_t i = 0; i < stencil.stride; i += lanes, values += lanes, mask += lanes) {
-        const auto a = hn::LoadU(d8, values), b = hn::LoadU(d8, from + i);
-        const auto off = hn::And(hn::Or(hn::SaturatedSub(a, b), hn::SaturatedSub(b, a)), hn::LoadU(d8, mask));
-        const auto lower = hn::BitCast(d16, hn::InterleaveLower(d8, off, zero));
-        const auto upper = hn::BitCast(d16, hn::InterleaveUpper(d8, off, zero));
-        low = hn::ReorderWidenMulAccumulate(d32, lower, lower, low, rest);
-        high = hn::ReorderWidenMulAccumulate(d32, upper, upper, high, rest);
+        const auto place = hn::PromoteTo(d16, hn::LoadU(d8, from + i));
+        const auto off = hn::And(hn::Sub(hn::LoadU(d16, values), place), hn::LoadU(d16, mask));
+        sum = hn::ReorderWidenMulAccumulate(d32, off, off, sum, rest);
       }
     }
-    total += hn::GetLane(hn::SumOfLanes(d32, hn::Add(hn::Add(low, high), rest)));
+    total += hn::GetLane(hn::SumOfLanes(d32, hn::Add(sum, rest)));
     if (total > limit) return total;
   }
   return total;
@@ -130,8 +126,8 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
         const auto low = hn::LoadU(d8, from), high = hn::LoadU(d8, from + row.plane_size);
         const auto off =
             hn::Max(hn::SaturatedSub(low, hn::Set(d8, target[1])), hn::SaturatedSub(hn::Set(d8, target[0]), high));
-        even = hn::SaturatedAdd(even, square_even(off));
-        odd = hn::SaturatedAdd(odd, square_odd(off));
+        even = hn::SaturatedAdd(even, hn::ShiftRightSame(square_even(off), row.shift));
+        odd = hn::SaturatedAdd(odd, hn::ShiftRightSame(square_odd(off), row.shift));
       }
     }
     const auto taken = hn::VecFromMask(d8, hn::Not(is_free));

@@ -8,19 +8,19 @@
 
 namespace tessera::parquetry {
 
-// What is compared with a place of a picture of bytes: rows of them, a byte of `mask` for each, 255 where it counts.
+// What is compared with a place of a picture of bytes: rows of them, widened, and -1 in `mask` for each that counts.
 // `order`: which row of the place each is compared with.
 struct Stencil {
   Stencil() = default;
   Stencil(std::vector<int> rows, int bytes);  // zeros
 
-  std::uint8_t* row(int k) { return values.data() + k * stride; }
-  std::uint8_t* mask_row(int k) { return mask.data() + k * stride; }
+  std::int16_t* row(int k) { return values.data() + k * stride; }
+  std::int16_t* mask_row(int k) { return mask.data() + k * stride; }
 
   static constexpr int kVector = 32;
   std::ptrdiff_t stride = 0;  // a multiple of kVector; rows are filled up with zeros
   std::vector<int> order;
-  std::vector<std::uint8_t> values, mask;
+  std::vector<std::int16_t> values, mask;
 };
 
 // The rows 0 to `count` - 1, far ones after each other, so that a sum of some of them tells of the whole.
@@ -40,12 +40,13 @@ struct CoarseRow {
   const std::uint8_t* targets;                // for each block and statistic the least and greatest value
   const std::uint8_t* room;
   std::uint8_t need;  // groups with less room are kNoRoom
+  int shift;          // squares lose so many bits, which keeps sums of smaller blocks in range
   int groups;
 };
 inline constexpr std::uint16_t kNoRoom = 0xffff;
 inline constexpr int kRowPadding = 64;  // elements that are written beyond a row's groups
 
-// The bound of each group, in squared bytes a pixel of a block, at most kNoRoom - 1. Returns the least of them.
+// The bound of each group, the sum of squared bytes without `shift` bits, at most kNoRoom - 1. Returns the least.
 std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds);
 
 // Appends the indices of bounds that are at most `limit` (< kNoRoom).

@@ -18,12 +18,12 @@ constexpr double kMostBytes = 3.6e9;
 // Of a turned panel: features, fine moments and, per block side, coarse ones; bounds and room.
 double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
   const double channels = feature_channels(params), group = kGroup * kGroup;
-  const double sides = 1 + params.adaptive_levels;
+  const double sides = std::min(3, 2 + params.adaptive_levels);
   double pixels = 0;
   for (const Panel& panel : panels) pixels += static_cast<double>(panel.scan.total());
   const double views = static_cast<double>(allowed_rotations(params).size());
   constexpr double kBoxes = 1.7;  // a turned panel's box to the panel, on average; some rows have bytes for all of it
-  return views * pixels * (channels + (2 * channels + sides * 4 * channels + 3 + 2 * kBoxes) / group);
+  return views * pixels * (channels + (8 * channels + sides * 4 * channels + 3 + 2 * kBoxes) / group);
 }
 
 Result<void> check(const std::vector<Panel>& panels, const Request& request, const Params& params) {

@@ -6,6 +6,8 @@
 namespace tessera::parquetry {
 namespace {
 
+constexpr double kLeast = 1e-6;  // what is nearer touches: sides that lie on each other cross nowhere
+
 double squared_distance(Point p, Point a, Point b) {
   const Point side = b - a, off = p - a;
   const double along = dot(side, side);
@@ -59,10 +61,11 @@ double distance_to_sides(const Ring& ring, Point p) { return std::sqrt(squared_d
 double distance(const Ring& ring, Point p) { return contains(ring, p) ? 0 : distance_to_sides(ring, p); }
 
 bool are_apart(const Ring& a, const Ring& b, double distance) {
+  distance = std::max(distance, kLeast);
   const Bounds s = bounds_of(a), t = bounds_of(b);
   const double across = std::max(s.low.x - t.high.x, t.low.x - s.high.x);
   const double down = std::max(s.low.y - t.high.y, t.low.y - s.high.y);
-  if (std::max(across, down) >= distance && std::max(across, down) > 0) return true;
+  if (std::max(across, down) >= distance) return true;
   // The nearest points of two that do not meet are a vertex of one and a point on a side of the other.
   if (!vertices_are_apart(a, b, distance * distance) || !vertices_are_apart(b, a, distance * distance)) return false;
   if (contains(a, b.front()) || contains(b, a.front())) return false;

@@ -19,7 +19,7 @@ Stencil pixels_of(const cv::Mat& features, const cv::Mat1b& mask, std::vector<in
     for (int i = 0; i < mask.cols * channels; ++i) {
       if (mask(y, i / channels) == 0) continue;
       stencil.row(static_cast<int>(k))[i] = features.ptr(y)[i];
-      stencil.mask_row(static_cast<int>(k))[i] = 255;
+      stencil.mask_row(static_cast<int>(k))[i] = -1;
     }
   }
   return stencil;
@@ -62,8 +62,8 @@ Template::Fine fine_blocks(const cv::Mat& features, const cv::Mat1b& mask, int o
       const Moments moments = moments_of(features, s / 2, {block, cv::Size(kGroup, kGroup)});
       const double exact = s % 2 == 0 ? code.mean(moments.mean, s / 2) : code.deviation(moments.deviation);
       const double byte = std::floor(exact + 0.5);
-      stencil.row(k)[block.x / kGroup * statistics + s] = static_cast<std::uint8_t>(byte);
-      stencil.mask_row(k)[block.x / kGroup * statistics + s] = 255;
+      stencil.row(k)[block.x / kGroup * statistics + s] = static_cast<std::int16_t>(byte);
+      stencil.mask_row(k)[block.x / kGroup * statistics + s] = -1;
       own += (exact - byte) * (exact - byte);
       ++count;
     }
@@ -91,7 +91,7 @@ std::vector<cv::Point> blocks_inside(const cv::Mat1b& mask, int side, int first)
   return blocks;
 }
 
-int coarse_side(const cv::Mat1b& mask) {
+std::vector<int> coarse_sides(const cv::Mat1b& mask) {
   // Larger blocks are fewer, smaller ones leave less at the border: of those that cover most of what any cover.
   std::array<double, kCoarseSides.size()> covered;
   for (std::size_t i = 0; i < kCoarseSides.size(); ++i)
@@ -99,9 +99,9 @@ int coarse_side(const cv::Mat1b& mask) {
                  static_cast<double>(blocks_inside(mask, kCoarseSides[i], 0).size());
   constexpr double kEnough = 0.75;
   const double most = *std::max_element(covered.begin(), covered.end());
-  for (std::size_t i = 0; i < kCoarseSides.size(); ++i)
-    if (covered[i] >= kEnough * most) return kCoarseSides[i];
-  return kCoarseSides.back();
+  std::size_t first = 0;
+  while (covered[first] < kEnough * most) ++first;
+  return {kCoarseSides.begin() + first, std::min(kCoarseSides.begin() + first + 2, kCoarseSides.end())};
 }
 
 Template make_template(const Patch& patch, const cv::Mat& features, const ByteCode& code, double half_kerf) {
@@ -109,10 +109,13 @@ Template make_template(const Patch& patch, const cv::Mat& features, const ByteCo
   made.shape = shape_of(patch, half_kerf);
   const cv::Mat own = features(patch.box);
   made.pixels = pixels_of(own, patch.mask, spread_rows(patch.mask.rows));
-  made.side = coarse_side(patch.mask);
-  for (const cv::Point block : blocks_inside(patch.mask, made.side, 0))
-    made.blocks.emplace_back(block.x / kGroup, block.y / kGroup);
-  made.moments = moments_of_blocks(own, made.blocks, made.side, code);
+  for (const int side : coarse_sides(patch.mask)) {
+    const std::vector<cv::Point> blocks = blocks_inside(patch.mask, side, 0);
+    Template::Coarse& coarse = made.coarse.emplace_back();
+    coarse.side = side;
+    for (const cv::Point block : blocks) coarse.blocks.emplace_back(block.x / kGroup, block.y / kGroup);
+    coarse.moments = moments_of_blocks(own, coarse.blocks, side, code);
+  }
   for (int off = 0; off < kGroup; ++off) made.fine[off] = fine_blocks(own, patch.mask, off, code);
   return made;
 }

@@ -11,9 +11,12 @@
 
 namespace tessera::parquetry {
 
-// Blocks of coarse levels have one of these sides; the largest of which a patch holds some is used for it.
+// Blocks of coarse levels have one of these sides.
 inline constexpr std::array<int, 3> kCoarseSides = {16, 8, 4};
-int coarse_side(const cv::Mat1b& mask);
+
+// The sides of the blocks that a patch is looked for by, one after the other: the largest of which it holds about as
+// much as of any, and the next.
+std::vector<int> coarse_sides(const cv::Mat1b& mask);
 
 // Blocks of `side` px, all inside the mask, that do not overlap, their corners at multiples of kGroup from row
 // `first` (0 <= first < kGroup) on.
@@ -23,9 +26,12 @@ struct Template {
   Shape shape;
   Stencil pixels;  // of the mask
 
-  int side = 0;                       // of the coarse blocks
-  std::vector<cv::Point> blocks;      // in groups
-  std::vector<std::uint8_t> moments;  // for each block and statistic the least and greatest byte
+  struct Coarse {
+    int side = 0;
+    std::vector<cv::Point> blocks;      // in groups
+    std::vector<std::uint8_t> moments;  // for each block and statistic the least and greatest byte
+  };
+  std::vector<Coarse> coarse;  // of coarse_sides()
 
   // For each offset of a position from the first row of its group: the fine blocks that then are inside, from that
   // row on, and the rows above and below them. `lost`: the most that rounding can bring the blocks' bytes nearer, a

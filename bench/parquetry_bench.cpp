@@ -1,0 +1,73 @@
+// Matching on one thread: how the time for a patch grows with the panel's pixels, the rotations and the patches, as
+// an exponent. What is built once for all patches is measured with them.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "tessera/base/rng.h"
+#include "tessera/parquetry/patches.h"
+#include "tessera/parquetry/run.h"
+
+namespace tessera {
+namespace {
+
+// Boards of five woods side by side, with grain.
+cv::Mat3b boards(int width, int height) {
+  Rng rng(1, RngPurpose::kNoise);
+  cv::Mat3b picture(height, width);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int wood = 5 * x / width;
+      const double grain = 12 * std::sin(0.05 * x + 0.9 * y + 3 * std::sin(0.011 * x)) + rng.uniform(-12, 12);
+      const double level = 50 + 40 * wood + grain;
+      picture(y, x) = cv::Vec3b(cv::saturate_cast<std::uint8_t>(level), cv::saturate_cast<std::uint8_t>(0.8 * level),
+                                cv::saturate_cast<std::uint8_t>(0.6 * level));
+    }
+  return picture;
+}
+
+cv::Mat3b waves(int side) {
+  cv::Mat3b picture(side, side);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double u = static_cast<double>(x) / side, v = static_cast<double>(y) / side;
+      const double level = 128 + 70 * std::sin(9 * u + 5 * v * v) + 40 * std::sin(31 * u * v);
+      picture(y, x) = cv::Vec3b::all(cv::saturate_cast<std::uint8_t>(level));
+    }
+  return picture;
+}
+
+void match(benchmark::State& state, double megapixels, int rotations, int patches_across) {
+  cv::setNumThreads(1);
+  const int width = static_cast<int>(1000 * std::sqrt(megapixels * 10 / 7));
+  parquetry::Panel panel;
+  panel.scan = boards(width, width * 7 / 10);
+  panel.mask = cv::Mat1b(panel.scan.size(), 255);
+  panel.mm_per_px = 14.0 / 48;
+  parquetry::Params params;
+  params.rotations = rotations;
+  parquetry::Request request;
+  request.targets = {waves(48 * patches_across)};
+  request.patches = parquetry::grid_patches(request.targets[0].size(), params, panel.mm_per_px);
+  for (auto _ : state) benchmark::DoNotOptimize(parquetry::run({panel}, request, params, {}));
+  state.SetComplexityN(state.range(0));
+  state.counters["s/patch"] =
+      benchmark::Counter(static_cast<double>(request.patches.size()),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+// Google Benchmark fits the exponent: the BigO rows.
+void panel_pixels(benchmark::State& state) { match(state, 0.1 * static_cast<double>(state.range(0)), 15, 6); }
+BENCHMARK(panel_pixels)->Arg(7)->Arg(14)->Arg(28)->Unit(benchmark::kSecond)->Iterations(1)->Complexity();
+
+void rotations(benchmark::State& state) { match(state, 1.4, static_cast<int>(state.range(0)), 6); }
+BENCHMARK(rotations)->Arg(5)->Arg(10)->Arg(20)->Unit(benchmark::kSecond)->Iterations(1)->Complexity();
+
+void patches(benchmark::State& state) {
+  match(state, 2.8, 15, static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0))))));
+}
+BENCHMARK(patches)->Arg(49)->Arg(100)->Arg(196)->Unit(benchmark::kSecond)->Iterations(1)->Complexity();
+
+}  // namespace
+}  // namespace tessera
