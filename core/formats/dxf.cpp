@@ -168,15 +168,32 @@ class ColourLayers {
 
 // ---- Sections
 
-// The sheet in millimetres, y up.
+// What is drawn in millimetres, y up.
 struct Frame {
-  double scale, width, height;
+  double scale, left, right, bottom, top;
+  double origin;  // where y is 0
 
   explicit Frame(const PieceSheet& sheet)
       : scale(sheet.width_mm > 0 ? sheet.width_mm / sheet.width : 1),
-        width(sheet.width * scale),
-        height(sheet.height * scale) {}
-  Point operator()(Point p) const { return {scale * p.x, height - scale * p.y}; }
+        left(0),
+        right(sheet.width * scale),
+        bottom(0),
+        top(sheet.height * scale),
+        origin(top) {}
+  // The lower side stays at `top` and the upper one at `top` + `height`: y alone changes its sense, within the frame.
+  explicit Frame(const Drawing& drawing)
+      : scale(1),
+        left(drawing.left),
+        right(drawing.left + drawing.width),
+        bottom(drawing.top),
+        top(drawing.top + drawing.height),
+        origin(2 * drawing.top + drawing.height) {}
+  Point operator()(Point p) const { return {scale * p.x, origin - scale * p.y}; }
+};
+
+struct Layer {
+  std::string name;
+  int colour_index;
 };
 
 std::size_t ring_count(const PieceSheet& sheet) {
@@ -192,10 +209,10 @@ void append_header(Tags tags, const Frame& frame, Handle next_free) {
   tags.text(9, "$HANDSEED").handle(5, next_free);
   tags.text(9, "$INSUNITS").integer(70, 4);     // millimetres
   tags.text(9, "$MEASUREMENT").integer(70, 1);  // metric
-  tags.text(9, "$EXTMIN").point(10, 0, 0).number(30, 0);
-  tags.text(9, "$EXTMAX").point(10, frame.width, frame.height).number(30, 0);
-  tags.text(9, "$LIMMIN").point(10, 0, 0);
-  tags.text(9, "$LIMMAX").point(10, frame.width, frame.height);
+  tags.text(9, "$EXTMIN").point(10, frame.left, frame.bottom).number(30, 0);
+  tags.text(9, "$EXTMAX").point(10, frame.right, frame.top).number(30, 0);
+  tags.text(9, "$LIMMIN").point(10, frame.left, frame.bottom);
+  tags.text(9, "$LIMMAX").point(10, frame.right, frame.top);
   tags.text(0, "ENDSEC");
 }
 
@@ -226,12 +243,13 @@ Tags append_record(Tags tags, std::string_view type, Handle handle, Handle table
 void append_viewport_table(Tags tags, const Frame& frame) {
   append_table(tags, "VPORT", kViewports, 1);
   append_record(tags, "VPORT", kActiveViewport, kViewports, "AcDbViewportTableRecord", "*ACTIVE").integer(70, 0);
-  tags.point(10, 0, 0).point(11, 1, 1);                      // corners on the screen
-  tags.point(12, frame.width / 2, frame.height / 2);         // its centre
+  const double width = frame.right - frame.left, height = frame.top - frame.bottom;
+  tags.point(10, 0, 0).point(11, 1, 1);                                    // corners on the screen
+  tags.point(12, frame.left + width / 2, frame.bottom + height / 2);       // its centre
   tags.point(13, 0, 0).point(14, 10, 10).point(15, 10, 10);  // snap and grid
   tags.point(16, 0, 0).number(36, 1);                        // seen from above
   tags.point(17, 0, 0).number(37, 0);
-  tags.number(40, frame.height * 1.05).number(41, std::max(0.1, frame.width / frame.height));
+  tags.number(40, height * 1.05).number(41, std::max(0.1, width / height));
   tags.text(0, "ENDTAB");
 }
 
@@ -250,16 +268,15 @@ void append_layer(Tags tags, Handle handle, std::string_view name, int colour_in
   tags.integer(62, colour_index).text(6, "Continuous").integer(370, -3).handle(390, kNormalPlotStyle);
 }
 
-void append_layer_table(Tags tags, const ColourLayers& layers) {
-  append_table(tags, "LAYER", kLayers, 1 + layers.colours().size());
+void append_layer_table(Tags tags, const std::vector<Layer>& layers) {
+  append_table(tags, "LAYER", kLayers, 1 + layers.size());
   append_layer(tags, kLayerZero, "0", 7);
   Handle handle = kFirstFree;
-  for (const std::uint32_t colour : layers.colours())
-    append_layer(tags, handle++, layers.name(unpacked(colour)), nearest_index(unpacked(colour)));
+  for (const Layer& layer : layers) append_layer(tags, handle++, layer.name, layer.colour_index);
   tags.text(0, "ENDTAB");
 }
 
-void append_tables(Tags tags, const Frame& frame, const ColourLayers& layers) {
+void append_tables(Tags tags, const Frame& frame, const std::vector<Layer>& layers) {
   tags.text(0, "SECTION").text(2, "TABLES");
   append_viewport_table(tags, frame);
   append_line_type_table(tags);
@@ -307,9 +324,10 @@ void append_blocks(Tags tags) {
   tags.text(0, "ENDSEC");
 }
 
-void append_polyline(Tags tags, const Frame& frame, Handle handle, std::string_view layer, const Ring& ring) {
+void append_polyline(Tags tags, const Frame& frame, Handle handle, std::string_view layer, const Ring& ring,
+                     bool closed = true) {
   tags.text(0, "LWPOLYLINE").handle(5, handle).handle(330, kModelSpace).text(100, "AcDbEntity").text(8, layer);
-  tags.text(100, "AcDbPolyline").integer(90, static_cast<std::int64_t>(ring.size())).integer(70, 1);
+  tags.text(100, "AcDbPolyline").integer(90, static_cast<std::int64_t>(ring.size())).integer(70, closed);
   for (const Point p : ring) {
     const Point at = frame(p);
     tags.point(10, at.x, at.y);
@@ -324,6 +342,14 @@ void append_entities(Tags tags, const PieceSheet& sheet, const Frame& frame, con
     append_polyline(tags, frame, handle++, layer, piece.outline.outer);
     for (const Ring& hole : piece.outline.holes) append_polyline(tags, frame, handle++, layer, hole);
   }
+  tags.text(0, "ENDSEC");
+}
+
+void append_entities(Tags tags, const Drawing& drawing, const Frame& frame, Handle handle) {
+  tags.text(0, "SECTION").text(2, "ENTITIES");
+  for (const DrawingLayer& layer : drawing.layers)
+    for (const Stroke& stroke : layer.strokes)
+      for (const Ring& line : stroke.lines) append_polyline(tags, frame, handle++, layer.name, line, stroke.closed);
   tags.text(0, "ENDSEC");
 }
 
@@ -351,16 +377,39 @@ void append_objects(Tags tags) {
 
 std::string write_dxf(const PieceSheet& sheet) {
   const Frame frame(sheet);
-  const ColourLayers layers(sheet);
-  const Handle first_entity = kFirstFree + layers.colours().size();
+  const ColourLayers colours(sheet);
+  std::vector<Layer> layers;
+  for (const std::uint32_t colour : colours.colours())
+    layers.push_back({colours.name(unpacked(colour)), nearest_index(unpacked(colour))});
+  const Handle first_entity = kFirstFree + layers.size();
   std::string out;
-  out.reserve(8192 + 160 * layers.colours().size() + room_for(sheet, 112 + sheet.layer.size(), 26));
+  out.reserve(8192 + 160 * layers.size() + room_for(sheet, 112 + sheet.layer.size(), 26));
   Tags tags(out);
   append_header(tags, frame, first_entity + ring_count(sheet));
   append_classes(tags);
   append_tables(tags, frame, layers);
   append_blocks(tags);
-  append_entities(tags, sheet, frame, layers, first_entity);
+  append_entities(tags, sheet, frame, colours, first_entity);
+  append_objects(tags);
+  return out;
+}
+
+std::string write_dxf(const Drawing& drawing) {
+  const Frame frame(drawing);
+  std::vector<Layer> layers;
+  std::size_t lines = 0;
+  for (const DrawingLayer& layer : drawing.layers) {
+    layers.push_back({layer.name, nearest_index(layer.colour)});
+    for (const Stroke& stroke : layer.strokes) lines += stroke.lines.size();
+  }
+  const Handle first_entity = kFirstFree + layers.size();
+  std::string out;
+  Tags tags(out);
+  append_header(tags, frame, first_entity + lines);
+  append_classes(tags);
+  append_tables(tags, frame, layers);
+  append_blocks(tags);
+  append_entities(tags, drawing, frame, first_entity);
   append_objects(tags);
   return out;
 }

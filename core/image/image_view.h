@@ -14,6 +14,8 @@ struct ImageView {
   int width = 0;
   int height = 0;
   std::ptrdiff_t stride = 0;
+  const std::uint8_t* alpha = nullptr;  // opacity, a byte a pixel without gaps; null: all of it is opaque
+  double dpi = 0;                       // how many pixels an inch the file tells; 0: nothing
 
   // The same pixels for OpenCV, read only, not copied.
   cv::Mat3b mat() const {

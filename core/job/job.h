@@ -15,6 +15,7 @@
 #include "tessera/geometry/scene.h"
 #include "tessera/image/image_view.h"
 #include "tessera/mosaic/params.h"
+#include "tessera/parquetry/params.h"
 #include "tessera/patterns/params.h"
 #include "tessera/pavement/params.h"
 #include "tessera/pebbles/params.h"
@@ -27,7 +28,8 @@ inline constexpr int kSchemaVersion = 1;
 inline constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
 
 // One alternative a technique. A new technique adds its struct here and a row to techniques() (techniques.h).
-using TechniqueParams = std::variant<pavement::Params, mosaic::Params, pebbles::Params, patterns::Params>;
+using TechniqueParams =
+    std::variant<pavement::Params, mosaic::Params, pebbles::Params, patterns::Params, parquetry::Params>;
 
 struct Job {
   std::uint64_t seed = 1;  // 0 to kMaxSeed
@@ -38,7 +40,8 @@ struct Job {
 // Decoded pictures, one a role; valid during the call they are handed to.
 using Pictures = std::map<std::string, ImageView>;
 
-// A finished output in memory. `name` is the extension it answers ("svg") or a file name ("plots/vertices.svg").
+// A finished output in memory. `name` is the extension it answers ("svg") or a file name ("plots/vertices.svg",
+// "folder/panel-oak.cut.svg").
 struct Artifact {
   std::string name;
   std::string media_type;
@@ -66,6 +69,7 @@ struct Outcome {
   PieceSheet sheet;  // with the job in it
   Scene scene{};     // with the job in it; of techniques whose pieces are solid
   std::map<std::string, std::function<Raster()>> rasters{};  // pictures besides the sheet's, by format ("labels.png")
+  std::function<std::vector<Artifact>()> folder{};  // what "folder" and "zip" hold, by the files' names
   std::function<void(Raster&)> finish{};       // of the sheet's picture, where that is more than its pieces
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
@@ -74,7 +78,7 @@ struct Outcome {
 };
 
 struct JobResult {
-  std::vector<Artifact> artifacts;             // in the order of request.formats, then plots
+  std::vector<Artifact> artifacts;             // in the order of request.formats, of "folder" many; then plots
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
 };

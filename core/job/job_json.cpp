@@ -147,11 +147,9 @@ class JobReader {
       complain("inputs", fmt::format("is {}, expected an object", shown(inputs)));
       return;
     }
-    std::vector<std::string> roles;
-    for (const InputRole& role : technique.inputs) roles.emplace_back(role.name);
     for (const auto& [role, value] : inputs.items()) {
-      if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
-        complain(shown_key(role), fmt::format("is no input of {}, expected {}", technique.name, either_of(roles)));
+      if (!role_of(technique, role)) {
+        complain(shown_key(role), fmt::format("is no input of {}, expected {}", technique.name, role_names(technique)));
       } else if (!value.is_string()) {
         complain(role, fmt::format("is {}, expected the path of a picture", shown(value)));
       } else {

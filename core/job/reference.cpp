@@ -58,11 +58,18 @@ Json parameter_schema(const Parameter& parameter) {
 }
 
 Json inputs_schema(const Technique& technique) {
-  Json properties = Json::object();
+  Json properties = Json::object(), patterns = Json::object();
   for (const InputRole& role : technique.inputs) {
-    properties[role.name] = {{"description", role.help}, {"type", "string"}};
+    const Json one = {{"description", role.help}, {"type", "string"}};
+    if (role.many)
+      patterns[fmt::format("^{}-[A-Za-z0-9_-]{{1,40}}$", role.name)] = one;
+    else
+      properties[role.name] = one;
   }
-  return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  Json schema = {{"type", "object"}, {"properties", properties}};
+  if (!patterns.empty()) schema["patternProperties"] = patterns;
+  schema["additionalProperties"] = false;
+  return schema;
 }
 
 std::string markdown_row(const Parameter& parameter) {

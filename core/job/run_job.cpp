@@ -90,15 +90,15 @@ void check_request(const Technique& technique, const JobRequest& request, Proble
 
 void check_pictures(const Technique& technique, const Pictures& pictures, Problems& problems) {
   for (const InputRole& role : technique.inputs) {
-    const auto found = pictures.find(std::string(role.name));
-    const char* trouble = nullptr;
-    if (found == pictures.end()) {
-      if (!role.required) continue;
-      trouble = "is missing, expected a picture";
-    } else if (!found->second.pixels || found->second.width < 1 || found->second.height < 1) {
-      trouble = "has no pixels, expected at least one";
+    bool missing = role.required;
+    for (const auto& [input, picture] : pictures) {
+      if (role_of(technique, input) != &role) continue;
+      missing = false;
+      if (!picture.pixels || picture.width < 1 || picture.height < 1)
+        problems.push_back({StatusCode::kInvalidInput, input, "has no pixels, expected at least one"});
     }
-    if (trouble) problems.push_back({StatusCode::kInvalidInput, std::string(role.name), trouble});
+    if (missing)
+      problems.push_back({StatusCode::kInvalidInput, std::string(role.name), "is missing, expected a picture"});
   }
 }
 
@@ -109,6 +109,13 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
   std::vector<Artifact> artifacts;
   for (const std::string& name : request.formats) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
+    if (name == "folder") {
+      for (Artifact& file : outcome.folder()) {
+        file.name = "folder/" + file.name;
+        artifacts.push_back(std::move(file));
+      }
+      continue;
+    }
     const Format& format = format_of(name);
     artifacts.push_back({format.name, format.media_type, format.write(outcome, scale)});
     context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));

@@ -4,6 +4,8 @@
 #include <cassert>
 
 #include "tessera/job/mosaic_job.h"
+#include "tessera/job/parameters.h"
+#include "tessera/job/parquet_job.h"
 #include "tessera/job/pattern_job.h"
 #include "tessera/job/pavement_job.h"
 #include "tessera/job/pebbles_job.h"
@@ -55,6 +57,16 @@ const std::vector<Technique>& techniques() {
        .defaults = patterns::Params{},
        .subject = "model",
        .run = run_pattern_job},
+      {.name = "parquetry",
+       .command = "parquet",
+       .help = "Cut files of a picture made of real wood",
+       .inputs = {{"target", "The picture to make"},
+                  {.name = "panel", .help = "Scans of veneer", .many = true},
+                  {.name = "mask", .help = "White where a panel is wood", .required = false, .many = true}},
+       .formats = {"folder", "svg", "dxf", "png", "json", "csv"},
+       .defaults = parquetry::Params{},
+       .questions = parquet_questions(),
+       .run = run_parquet_job},
   };
   assert(all.size() == std::variant_size_v<TechniqueParams>);
   return all;
@@ -66,6 +78,25 @@ const Technique* find_technique(std::string_view name) {
   const auto& all = techniques();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Technique& t) { return t.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+const InputRole* role_of(const Technique& technique, std::string_view input) {
+  for (const InputRole& role : technique.inputs)
+    if (role.many ? !name_in(role, input).empty() : role.name == input) return &role;
+  return nullptr;
+}
+
+std::string role_names(const Technique& technique) {
+  std::vector<std::string> names;
+  for (const InputRole& role : technique.inputs) names.push_back(std::string(role.name) + (role.many ? "-NAME" : ""));
+  return either_of(names);
+}
+
+std::string_view name_in(const InputRole& role, std::string_view input) {
+  const std::size_t dash = role.name.size();
+  if (input.substr(0, dash) != role.name || input.substr(dash, 1) != "-") return {};
+  const std::string_view name = input.substr(dash + 1);
+  return parquetry::is_panel_name(name) ? name : std::string_view();
 }
 
 ImageView picture_of(const Pictures& pictures, std::string_view role) {

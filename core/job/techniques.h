@@ -15,7 +15,16 @@ struct InputRole {
   bool required = true;
   // A name that is none of this parameter's choices is a file in this role, and the parameter `chosen`.
   std::string_view parameter{}, chosen{};
+  bool many = false;     // any number of pictures, each with a name: the role "panel" has "panel-oak", "panel-walnut"
   bool numbers = false;  // pixels are numbers rather than colours: 16-bit grey comes as (0, high, low) byte
+};
+
+// Something that can be asked of a job before it is run: `tessera parquet --plan`.
+struct Question {
+  std::string_view name;  // "plan"
+  std::string_view help;  // one line
+  std::vector<std::string_view> inputs;  // the roles that it looks at; others need not be there
+  Result<std::string> (*answer)(const Job& job, const Pictures& pictures, const RunContext& context);  // lines of text
 };
 
 using TechniqueRun = Result<Outcome>(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
@@ -29,6 +38,7 @@ struct Technique {
   std::vector<std::string> formats;  // of JobRequest
   TechniqueParams defaults;
   std::string_view subject{};  // the parameter that the command line takes in the place of a picture
+  std::vector<Question> questions{};
   TechniqueRun* run;           // pictures hold every required role, the parameters are valid
 };
 
@@ -36,6 +46,13 @@ struct Technique {
 const std::vector<Technique>& techniques();
 const Technique& technique_of(const TechniqueParams& params);
 const Technique* find_technique(std::string_view name);  // by name; null: there is none
+
+// What an input of a job is: "target", "panel-oak". Null: the technique has no such role.
+const InputRole* role_of(const Technique& technique, std::string_view input);
+// "target, panel-NAME or mask-NAME"
+std::string role_names(const Technique& technique);
+// "oak" of "panel-oak"
+std::string_view name_in(const InputRole& role, std::string_view input);
 
 // The picture in that role; without pixels where there is none.
 ImageView picture_of(const Pictures& pictures, std::string_view role);

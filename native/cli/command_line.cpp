@@ -12,6 +12,7 @@
 
 #include "tessera/cli/flags.h"
 #include "tessera/cli/messages.h"
+#include "tessera/cli/panel_flags.h"
 #include "tessera/job/techniques.h"
 
 namespace tessera {
@@ -98,6 +99,7 @@ class TechniqueCommand {
         run_(app_, technique.formats) {
     for (const InputRole& role : technique.inputs) {
       const std::string name(role.name);
+      if (role.many) continue;
       std::string& path = inputs_[name];
       if (role.required) {
         app_.add_option(upper(role.name), path, std::string(role.help))->required()->type_name("FILE");
@@ -105,6 +107,15 @@ class TechniqueCommand {
         app_.add_option("--" + name, path, std::string(role.help))->type_name("FILE")->group("Inputs");
       }
     }
+    if (find_role("panel")) {
+      app_.add_option("--panel", panels_, "A scan of veneer; several are allowed")
+          ->type_name("SCAN[,mask=FILE,dpi=N,name=WORD,margin=MM,machine=X:Y,...]")
+          ->allow_extra_args(false)
+          ->take_all()
+          ->group("Inputs");
+    }
+    for (const Question& question : technique.questions)
+      app_.add_flag("--" + std::string(question.name), asked_[question.name], std::string(question.help))->group("Run");
     if (!technique.subject.empty()) {
       app_.add_option(upper(technique.subject), subject_, "What to make; --list names them")->type_name("NAME");
       app_.add_flag("--list", list_, "Print the names and what they are")->group("Run");
@@ -124,14 +135,32 @@ class TechniqueCommand {
     Json given = main_.given();
     given.update(advanced_.given());
     take_subject(given, problems);
+    take_panels(given, command.job, problems);
     take_file(given, command.job);
     read_params(given, command.job.params, problems);
     for (const ParameterFlags* flags : {&main_, &advanced_}) flags->name_flags(problems);
     run_.name_flags(problems);
+    for (const Question& question : technique_.questions)
+      if (asked_.at(question.name)) return AskJob{command.job, &question, command.settings};
+    if (find_role("panel") && panels_.empty() && problems.empty())
+      problems.push_back({StatusCode::kInvalidParameter, "", "there is no panel, expected --panel SCAN"});
     return command;
   }
 
  private:
+  const InputRole* find_role(std::string_view name) const {
+    for (const InputRole& role : technique_.inputs)
+      if (role.name == name) return &role;
+    return nullptr;
+  }
+
+  void take_panels(Json& given, Job& job, Problems& problems) const {
+    if (panels_.empty()) return;
+    std::string options = given.value("panels", "");
+    tessera::take_panels(panels_, job, options, problems);
+    if (!options.empty()) given["panels"] = options;
+  }
+
   // "occupancy  each place goes to the nearest point", a line each.
   std::string subjects() const {
     std::string text;
@@ -171,6 +200,8 @@ class TechniqueCommand {
   const Technique& technique_;
   CLI::App& app_;
   std::map<std::string, std::string> inputs_;
+  std::vector<std::string> panels_;
+  std::map<std::string_view, bool> asked_;  // question -> whether it is
   std::string subject_;
   bool list_ = false;
   ParameterFlags main_, advanced_;

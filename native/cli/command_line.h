@@ -10,12 +10,20 @@
 #include "tessera/cli/measure_command.h"
 #include "tessera/cli/settings.h"
 #include "tessera/job/job.h"
+#include "tessera/job/techniques.h"
 
 namespace tessera {
 
 // `tessera pave DRAWING --half-side 6 -o stones.svg`
 struct RunNewJob {
   Job job;
+  Settings settings;
+};
+
+// `tessera parquet TARGET --plan`
+struct AskJob {
+  Job job;
+  const Question* question;
   Settings settings;
 };
 
@@ -37,7 +45,7 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunNewJob, RunSavedJob, Measure, FitCommand, PrintSchema, PrintText>;
+using Command = std::variant<RunNewJob, AskJob, RunSavedJob, Measure, FitCommand, PrintSchema, PrintText>;
 
 // What is to be done; else the exit status, when everything has been said already: help, version, wrong usage.
 tl::expected<Command, int> parse_command_line(int argc, const char* const* argv);

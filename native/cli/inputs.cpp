@@ -1,6 +1,5 @@
 #include "tessera/cli/inputs.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -36,10 +35,8 @@ tl::expected<std::map<std::string, Input>, Problems> read_inputs(const Job& job,
   std::map<std::string, Input> inputs;
   Problems problems;
   for (const auto& [role, path] : job.inputs) {
-    const auto& roles = technique_of(job.params).inputs;
-    const bool numbers = std::any_of(roles.begin(), roles.end(),
-                                     [&role = role](const InputRole& r) { return r.name == role && r.numbers; });
-    auto input = read_input(path, folder, max_pixels, numbers, with_checksums);
+    const InputRole* known = role_of(technique_of(job.params), role);
+    auto input = read_input(path, folder, max_pixels, known && known->numbers, with_checksums);
     if (input) {
       inputs.emplace(role, *std::move(input));
     } else {

@@ -82,6 +82,12 @@ int execute(const PrintSchema& command) {
       {{StatusCode::kInvalidParameter, command.technique, "is no technique, expected " + either_of(names)}});
 }
 
+int execute(const AskJob& command) {
+  prepare(command.settings);
+  const auto answer = ask_job(command.job, *command.question, command.settings);
+  return answer ? print_to_stdout(*answer) : print_problems(answer.error());
+}
+
 int execute(const Measure& command) { return run_measure(command); }
 
 int execute(const FitCommand& command) { return run_fit(command); }

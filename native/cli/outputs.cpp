@@ -31,6 +31,15 @@ std::string extension_of(const std::string& path, const Technique& technique) {
   return extension.empty() ? "" : extension.substr(1);
 }
 
+// What an output is to be; a technique of many files puts them into a folder, which needs no extension.
+std::string kind_of(const OutputFile& output, const Settings& settings, const Technique& technique) {
+  if (!output.format.empty()) return output.format;
+  const std::string extension = extension_of(output.path, technique);
+  const bool is_kind = contains(technique.formats, extension);
+  if (contains(technique.formats, "folder") && !is_kind && output.path != "-" && settings.format.empty()) return "folder";
+  return extension.empty() ? settings.format : extension;
+}
+
 // Empty, or what is wrong with a kind.
 std::string format_trouble(const std::string& format, const Technique& technique) {
   const std::string expected = either_of(technique.formats);
@@ -57,6 +66,24 @@ std::string file_name_in(const std::string& folder, const std::string& artifact)
   return (std::filesystem::path(folder) / std::filesystem::path(artifact).filename()).string();
 }
 
+bool is_in_folder(const Artifact& artifact) { return artifact.name.compare(0, 7, "folder/") == 0; }
+
+// Cut files of an earlier run, which could be taken for this one's.
+std::vector<std::string> panel_files_in(const std::string& folder) {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const auto ends_with = [&](std::string_view end) {
+      return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    };
+    if (name.compare(0, 6, "panel-") == 0 &&
+        (ends_with(".cut.svg") || ends_with(".cut.dxf") || ends_with(".preview.png")))
+      found.push_back(file_name_in(folder, name));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::string> plan_formats(const Settings& settings, const Job& job, Problems& problems) {
@@ -68,33 +95,56 @@ std::vector<std::string> plan_formats(const Settings& settings, const Job& job, 
     refuse("", "there is no output, expected -o FILE");
   }
   std::vector<std::string> formats;
-  for (const auto& [path, format] : settings.outputs) {
-    const std::string extension = format.empty() ? extension_of(path, technique) : format;
-    formats.push_back(extension.empty() ? settings.format : extension);
-    if (std::string trouble = format_trouble(formats.back(), technique); !trouble.empty()) {
-      refuse(path, std::move(trouble));
-    }
+  for (const OutputFile& output : settings.outputs) {
+    formats.push_back(kind_of(output, settings, technique));
+    std::string trouble = format_trouble(formats.back(), technique);
+    if (trouble.empty() && formats.back() == "folder" && output.path == "-") trouble = "cannot be a folder";
+    if (!trouble.empty()) refuse(output.path, std::move(trouble));
   }
   check_repetition(settings, problems);
   return formats;
 }
 
-Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const Job& job, const JobResult& result,
-                                               AtomicFiles& files) {
+std::vector<std::string> report_paths(const Settings& settings, const std::vector<std::string>& formats) {
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    if (formats[i] == "folder") paths.push_back(file_name_in(settings.outputs[i].path, "report.json"));
+  if (!settings.report.empty()) paths.push_back(settings.report);
+  return paths;
+}
+
+Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const std::vector<std::string>& formats,
+                                               const Job& job, const JobResult& result, AtomicFiles& files) {
   std::vector<WrittenFile> written;
+  const bool with_checksums = !report_paths(settings, formats).empty();
   const auto write = [&](const std::string& path, const std::string& bytes) {
-    written.push_back({path, bytes.size(), settings.report.empty() ? "" : sha256_hex(bytes)});
+    written.push_back({path, bytes.size(), with_checksums ? sha256_hex(bytes) : ""});
     return files.add(path, bytes);
   };
   if (!settings.plots.empty()) {
     if (auto made = files.add_folder(settings.plots); !made) return tl::unexpected<Status>(std::move(made.error()));
   }
-  // The artifacts are those of the outputs, one each, then the plots.
-  for (std::size_t i = 0; i < result.artifacts.size(); ++i) {
-    const Artifact& artifact = result.artifacts[i];
-    const std::string path =
-        i < settings.outputs.size() ? settings.outputs[i].path : file_name_in(settings.plots, artifact.name);
-    if (auto done = write(path, artifact.bytes); !done) return tl::unexpected<Status>(std::move(done.error()));
+  // The artifacts are those of the outputs, one each and of a folder many, then the plots.
+  auto artifact = result.artifacts.begin();
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    const std::string& path = settings.outputs[i].path;
+    if (formats[i] != "folder") {
+      if (auto done = write(path, (artifact++)->bytes); !done) return tl::unexpected<Status>(std::move(done.error()));
+      continue;
+    }
+    if (auto made = files.add_folder(path); !made) return tl::unexpected<Status>(std::move(made.error()));
+    std::set<std::string> names;
+    for (; artifact != result.artifacts.end() && is_in_folder(*artifact); ++artifact) {
+      const std::string file = file_name_in(path, artifact->name);
+      if (!names.insert(file).second) break;  // the next output is a folder, too
+      if (auto done = write(file, artifact->bytes); !done) return tl::unexpected<Status>(std::move(done.error()));
+    }
+    for (const std::string& old : panel_files_in(path))
+      if (!names.count(old)) files.remove(old);
+  }
+  for (; artifact != result.artifacts.end(); ++artifact) {
+    auto done = write(file_name_in(settings.plots, artifact->name), artifact->bytes);
+    if (!done) return tl::unexpected<Status>(std::move(done.error()));
   }
   if (!settings.save_job.empty()) {
     auto done = write(settings.save_job, job_to_text(job, Layout::kIndented) + "\n");

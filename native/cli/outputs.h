@@ -21,8 +21,12 @@ struct WrittenFile {
   std::string sha256;  // empty where it was not asked for
 };
 
-// Hands everything but the report to `files`, in the order: outputs, plots, job.
-Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const Job& job, const JobResult& result,
-                                               AtomicFiles& files);
+// Where the report goes: where the settings say, and into each folder. `formats` are those of plan_formats().
+std::vector<std::string> report_paths(const Settings& settings, const std::vector<std::string>& formats);
+
+// Hands everything but the report to `files`, in the order: outputs, plots, job. Cut files that an earlier run has left
+// in a folder go.
+Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const std::vector<std::string>& formats,
+                                               const Job& job, const JobResult& result, AtomicFiles& files);
 
 }  // namespace tessera

@@ -1,5 +1,6 @@
 #include "tessera/cli/run_command.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "tessera/cli/backend.h"
@@ -30,7 +31,8 @@ class Run {
     if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
 
     begin("decode");
-    auto inputs = read_inputs(job_, folder, settings_.max_pixels, !settings_.report.empty());
+    const bool reports = !report_paths(settings_, request.formats).empty();
+    auto inputs = read_inputs(job_, folder, settings_.max_pixels, reports);
     if (!inputs) return tl::unexpected<Problems>(std::move(inputs.error()));
     begin("backend");
     auto backend = make_backend(settings_.backend);
@@ -38,7 +40,7 @@ class Run {
     auto result = compute(*inputs, request, *backend);
     if (!result) return tl::unexpected<Problems>(std::move(result.error()));
     begin("write");
-    auto written = write(*inputs, *result, backend->rasterizer->name());
+    auto written = write(*inputs, request.formats, *result, backend->rasterizer->name());
     if (!written) return problem(std::move(written.error()));
     return {};
   }
@@ -78,14 +80,15 @@ class Run {
     return run_job(job_, pictures, request, *backend.rasterizer, context());
   }
 
-  Result<void> write(const std::map<std::string, Input>& inputs, const JobResult& result, std::string_view backend) {
+  Result<void> write(const std::map<std::string, Input>& inputs, const std::vector<std::string>& formats,
+                     const JobResult& result, std::string_view backend) {
     const UnkillableScope unkillable;
     AtomicFiles files;
-    auto written = write_outputs(settings_, job_, result, files);
+    auto written = write_outputs(settings_, formats, job_, result, files);
     if (!written) return tl::unexpected<Status>(std::move(written.error()));
     clock_.end();
-    if (!settings_.report.empty()) {
-      auto done = files.add(settings_.report, write_report(job_, backend, inputs, result, *written, clock_));
+    for (const std::string& path : report_paths(settings_, formats)) {
+      auto done = files.add(path, write_report(job_, backend, inputs, result, *written, clock_));
       if (!done) return done;
     }
     if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
@@ -107,6 +110,26 @@ int run_and_write(Job job, const Settings& settings, const std::string& folder) 
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
   return print_problems(stop_reason() == StopReason::kNone ? done.error() : Problems{stop_status()});
+}
+
+tl::expected<std::string, Problems> ask_job(Job job, const Question& question, const Settings& settings) {
+  const Technique& technique = technique_of(job.params);
+  std::erase_if(job.inputs, [&](const auto& input) {
+    const InputRole* role = role_of(technique, input.first);
+    return !role || std::find(question.inputs.begin(), question.inputs.end(), role->name) == question.inputs.end();
+  });
+  const auto inputs = read_inputs(job, "", settings.max_pixels, false);
+  if (!inputs) return tl::unexpected<Problems>(inputs.error());
+  Pictures pictures;
+  for (const auto& [role, input] : *inputs) pictures[role] = input.picture.view();
+  RunContext context;
+  context.stop = &stop_flag();
+  context.on_warning = [&](std::string_view message) {
+    if (!settings.quiet) print_message("warning: " + std::string(message));
+  };
+  auto answer = question.answer(job, pictures, context);
+  if (!answer) return problem(stop_reason() == StopReason::kNone ? answer.error() : stop_status());
+  return *std::move(answer);
 }
 
 }  // namespace tessera

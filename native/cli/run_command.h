@@ -5,11 +5,15 @@
 
 #include "tessera/cli/settings.h"
 #include "tessera/job/job.h"
+#include "tessera/job/techniques.h"
 
 namespace tessera {
 
 // Runs the job and writes what the settings ask for; relative inputs are looked for in `folder` first (empty: none).
 // The exit status; problems have been printed, and nothing is left behind by a run that failed.
 int run_and_write(Job job, const Settings& settings, const std::string& folder);
+
+// What the technique says of the job before it is run, as text.
+tl::expected<std::string, Problems> ask_job(Job job, const Question& question, const Settings& settings);
 
 }  // namespace tessera

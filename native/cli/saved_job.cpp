@@ -16,11 +16,6 @@ const Parameter* find_parameter(const std::vector<Parameter>& all, const std::st
   return found == all.end() ? nullptr : &*found;
 }
 
-bool is_input(const Technique& technique, const std::string& key) {
-  const auto& roles = technique.inputs;
-  return std::any_of(roles.begin(), roles.end(), [&](const InputRole& role) { return role.name == key; });
-}
-
 void set_seed(const Json& value, Job& job, Problems& problems) {
   if (auto trouble = complaint({kSeedInfo, ParameterKind::kInteger, {}, {}}, value)) {
     problems.push_back({StatusCode::kInvalidParameter, "seed", *std::move(trouble)});
@@ -44,7 +39,7 @@ void apply_changes(const std::vector<std::string>& changes, Job& job, Problems& 
     const Parameter* parameter = find_parameter(parameters, key);
     if (key == kSeedInfo.key) {
       set_seed(parse_value({kSeedInfo, ParameterKind::kInteger, {}, {}}, text), job, problems);
-    } else if (is_input(technique, key)) {
+    } else if (role_of(technique, key)) {
       job.inputs[key] = text;
     } else {
       given[key] = parameter ? parse_value(*parameter, text) : Json(text);

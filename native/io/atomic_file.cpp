@@ -107,6 +107,7 @@ Result<void> AtomicFiles::commit() {
     for (std::size_t k = 0; k < i; ++k) unlink(files_[k].target.c_str());
     return unwritable(files_[i].path, error);
   }
+  for (const std::string& path : removed_) unlink(path.c_str());
   files_.clear();
   folders_.clear();
   return {};

@@ -27,6 +27,13 @@ Header header_of(Bytes file) {
   return {number(18, 4), height, number(28, 2), number(30, 4), number(10, 4)};
 }
 
+double dpi_of(Bytes file) {
+  constexpr double kInch = 0.0254;
+  if (read_number(file, 14, 4, ByteOrder::kLittle) < 40) return 0;
+  return same_both_ways(kInch * read_number(file, 38, 4, ByteOrder::kLittle),
+                        kInch * read_number(file, 42, 4, ByteOrder::kLittle));
+}
+
 struct Free {
   void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
@@ -52,6 +59,7 @@ Result<Decoded> decode_bmp(Bytes file, std::uint64_t max_pixels) {
   Decoded decoded{make_picture(header.width, header.height, 4)};
   std::memcpy(decoded.picture.rgb.get(), rgba.get(), header.width * header.height * 4);
   lay_over_white(decoded.picture, Alpha::kStraight);
+  decoded.picture.dpi = dpi_of(file);
   return decoded;
 }
 

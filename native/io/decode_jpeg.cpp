@@ -19,22 +19,32 @@ struct Handle {
   Handle& operator=(const Handle&) = delete;
 };
 
-// EXIF's block stands in an APP1 segment before the picture.
-int orientation_of(Bytes file) {
-  constexpr std::string_view kMark("Exif\0\0", 6);
-  constexpr std::uint8_t kApp1 = 0xE1, kStartOfScan = 0xDA;
+// JFIF's header (APP0) and EXIF's block (APP1) stand in segments before the picture.
+ExifFacts facts_of(Bytes file) {
+  constexpr std::string_view kJfif("JFIF\0", 5), kExif("Exif\0\0", 6);
+  constexpr std::uint8_t kApp0 = 0xE0, kApp1 = 0xE1, kStartOfScan = 0xDA;
+  ExifFacts exif;
+  double dpi = 0;
   std::size_t at = 2;
   while (at + 4 <= file.size() && file[at] == 0xFF && file[at + 1] != kStartOfScan) {
     const std::size_t length = read_number(file, at + 2, 2, ByteOrder::kBig);
     if (length < 2 || length > file.size() - at - 2) break;
     const Bytes body = file.subspan(at + 4, length - 2);
-    if (file[at + 1] == kApp1 && body.size() > kMark.size() &&
-        !std::memcmp(body.data(), kMark.data(), kMark.size())) {
-      return exif_orientation(body.subspan(kMark.size()));
+    const auto is = [&](std::uint8_t segment, std::string_view mark) {
+      return file[at + 1] == segment && body.size() > mark.size() &&
+             !std::memcmp(body.data(), mark.data(), mark.size());
+    };
+    if (is(kApp0, kJfif)) {
+      const auto unit = read_number(body, 7, 1, ByteOrder::kBig);  // 0: only the pixels' shape
+      const double to_inches = unit == 1 ? 1 : unit == 2 ? 2.54 : 0;
+      dpi = same_both_ways(to_inches * read_number(body, 8, 2, ByteOrder::kBig),
+                           to_inches * read_number(body, 10, 2, ByteOrder::kBig));
     }
+    if (is(kApp1, kExif)) exif = read_exif(body.subspan(kExif.size()));
     at += 2 + length;
   }
-  return 1;
+  if (dpi > 0) exif.dpi = dpi;
+  return exif;
 }
 
 // Ink is stored inverted, as Adobe does it; so is the light that is left.
@@ -76,7 +86,9 @@ Result<Decoded> decode_jpeg(Bytes file, std::uint64_t max_pixels) {
     return damaged("JPEG", tjGetErrorStr2(handle.value));
   }
   if (ink) cmyk_to_rgb(decoded.picture);
-  decoded.orientation = orientation_of(file);
+  const ExifFacts facts = facts_of(file);
+  decoded.orientation = facts.orientation;
+  decoded.picture.dpi = facts.dpi;
   return decoded;
 }
 

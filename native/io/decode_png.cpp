@@ -77,10 +77,16 @@ class Reader {
     return true;
   }
 
-  int orientation() {
-    png_bytep exif = nullptr;
+  ExifFacts exif() {
+    png_bytep block = nullptr;
     png_uint_32 size = 0;
-    return png_get_eXIf_1(png_, info_, &size, &exif) ? exif_orientation({exif, size}) : 1;
+    return png_get_eXIf_1(png_, info_, &size, &block) ? read_exif({block, size}) : ExifFacts{};
+  }
+
+  double dpi() {
+    constexpr double kInch = 0.0254;
+    return same_both_ways(kInch * png_get_x_pixels_per_meter(png_, info_),
+                          kInch * png_get_y_pixels_per_meter(png_, info_));
   }
 
  private:
@@ -109,7 +115,9 @@ Result<Decoded> decode(Bytes file, std::uint64_t max_pixels, int stored_bytes) {
   const std::size_t stride = std::size_t{width} * static_cast<std::size_t>(bytes);
   if (!reader.read_rows(decoded.picture.rgb.get(), stride, height)) return damaged("PNG", source.message);
   if (bytes == 4) lay_over_white(decoded.picture, Alpha::kStraight);
-  decoded.orientation = reader.orientation();
+  const ExifFacts exif = reader.exif();
+  decoded.orientation = exif.orientation;
+  decoded.picture.dpi = reader.dpi() > 0 ? reader.dpi() : exif.dpi;
   return decoded;
 }
 

@@ -74,6 +74,16 @@ std::unique_ptr<TIFF, Close> open(Memory& memory, std::array<char, 160>& message
                                                         unmap_nothing, options.get()));
 }
 
+double dpi_of(TIFF* tiff) {
+  std::uint16_t unit = RESUNIT_INCH;
+  float x = 0, y = 0;
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_RESOLUTIONUNIT, &unit);
+  TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &x);
+  TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &y);
+  const double to_inches = unit == RESUNIT_INCH ? 1 : unit == RESUNIT_CENTIMETER ? 2.54 : 0;
+  return same_both_ways(to_inches * x, to_inches * y);
+}
+
 }  // namespace
 
 Result<Decoded> decode_tiff(Bytes file, std::uint64_t max_pixels) {
@@ -99,6 +109,7 @@ Result<Decoded> decode_tiff(Bytes file, std::uint64_t max_pixels) {
   TIFFRGBAImageEnd(&image);
   if (!complete) return damaged("TIFF", message.data());
   lay_over_white(decoded.picture, Alpha::kPremultiplied);
+  decoded.picture.dpi = dpi_of(tiff.get());
   return decoded;
 }
 

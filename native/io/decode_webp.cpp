@@ -21,7 +21,7 @@ const char* reason_of(VP8StatusCode status) {
 }
 
 // EXIF's block is a chunk of the RIFF file; some writers put JPEG's mark before it.
-int orientation_of(Bytes file) {
+ExifFacts facts_of(Bytes file) {
   constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kMarkBytes = 6;
   std::size_t at = kFirstChunk;
   while (at + kChunkHead <= file.size()) {
@@ -30,11 +30,11 @@ int orientation_of(Bytes file) {
     if (!std::memcmp(&file[at], "EXIF", 4)) {
       const Bytes body = file.subspan(at + kChunkHead, length);
       const bool marked = length > kMarkBytes && !std::memcmp(body.data(), "Exif", 4);
-      return exif_orientation(marked ? body.subspan(kMarkBytes) : body);
+      return read_exif(marked ? body.subspan(kMarkBytes) : body);
     }
     at += kChunkHead + length + length % 2;
   }
-  return 1;
+  return {};
 }
 
 }  // namespace
@@ -64,7 +64,9 @@ Result<Decoded> decode_webp(Bytes file, std::uint64_t max_pixels) {
     return damaged("WebP", reason_of(status));
   }
   if (config.input.has_alpha) lay_over_white(decoded.picture, Alpha::kStraight);
-  decoded.orientation = orientation_of(file);
+  const ExifFacts facts = facts_of(file);
+  decoded.orientation = facts.orientation;
+  decoded.picture.dpi = facts.dpi;
   return decoded;
 }
 

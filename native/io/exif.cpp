@@ -7,21 +7,30 @@
 
 namespace tessera {
 
-int exif_orientation(std::span<const std::uint8_t> exif) {
-  constexpr std::uint32_t kOrientationTag = 0x0112;
+ExifFacts read_exif(std::span<const std::uint8_t> exif) {
   constexpr std::size_t kEntryBytes = 12;
+  enum : std::uint32_t { kOrientation = 0x0112, kXResolution = 0x011A, kYResolution = 0x011B, kUnit = 0x0128 };
+  ExifFacts facts;
   const std::uint32_t mark = read_number(exif, 0, 2, ByteOrder::kBig);
-  if (mark != 0x4949 && mark != 0x4D4D) return 1;  // "II", "MM"
+  if (mark != 0x4949 && mark != 0x4D4D) return facts;  // "II", "MM"
   const ByteOrder order = mark == 0x4949 ? ByteOrder::kLittle : ByteOrder::kBig;
+  const auto rational = [&](std::size_t at) {
+    const double divisor = read_number(exif, at + 4, 4, order);
+    return divisor > 0 ? read_number(exif, at, 4, order) / divisor : 0;
+  };
+  double x = 0, y = 0, to_inches = 1;
   const std::size_t directory = read_number(exif, 4, 4, order);
   const std::size_t entries = read_number(exif, directory, 2, order);
   for (std::size_t i = 0; i < entries; ++i) {
     const std::size_t entry = directory + 2 + i * kEntryBytes;
-    if (read_number(exif, entry, 2, order) != kOrientationTag) continue;
-    const std::uint32_t value = read_number(exif, entry + 8, 2, order);
-    return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
+    const std::uint32_t tag = read_number(exif, entry, 2, order), value = read_number(exif, entry + 8, 2, order);
+    if (tag == kOrientation && value >= 1 && value <= 8) facts.orientation = static_cast<int>(value);
+    if (tag == kXResolution) x = rational(read_number(exif, entry + 8, 4, order));
+    if (tag == kYResolution) y = rational(read_number(exif, entry + 8, 4, order));
+    if (tag == kUnit) to_inches = value == 2 ? 1 : value == 3 ? 2.54 : 0;
   }
-  return 1;
+  facts.dpi = same_both_ways(x * to_inches, y * to_inches);
+  return facts;
 }
 
 namespace {
@@ -60,6 +69,14 @@ Picture turned_upright(Picture picture, int orientation) {
       std::copy(from, from + 3, to);
     }
   }
+  upright.dpi = picture.dpi;
+  if (!picture.alpha) return upright;
+  const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  upright.alpha = std::make_unique_for_overwrite<std::uint8_t[]>(pixels);
+  std::uint8_t* opacity = upright.alpha.get();
+  for (std::ptrdiff_t y = 0; y < upright.height; ++y)
+    for (std::ptrdiff_t x = 0; x < upright.width; ++x)
+      *opacity++ = picture.alpha[static_cast<std::size_t>(walk.first + x * walk.right + y * walk.down)];
   return upright;
 }
 

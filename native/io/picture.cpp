@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -65,8 +66,21 @@ Picture make_picture(std::uint64_t width, std::uint64_t height, int channels) {
   return {static_cast<int>(width), static_cast<int>(height), std::make_unique_for_overwrite<std::uint8_t[]>(bytes)};
 }
 
+double same_both_ways(double x_dpi, double y_dpi) {
+  constexpr double kMost = 1e5, kApart = 0.01;
+  const bool usable = x_dpi > 0 && y_dpi > 0 && x_dpi < kMost && std::abs(x_dpi / y_dpi - 1) < kApart;
+  return usable ? x_dpi : 0;
+}
+
 void lay_over_white(Picture& picture, Alpha alpha) {
   const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  const auto is_clear = [&](std::size_t i) { return picture.rgb[4 * i + 3] != 255; };
+  std::size_t first = 0;
+  while (first < pixels && !is_clear(first)) ++first;
+  if (first < pixels) {
+    picture.alpha = std::make_unique_for_overwrite<std::uint8_t[]>(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) picture.alpha[i] = picture.rgb[4 * i + 3];
+  }
   const std::uint8_t* from = picture.rgb.get();
   std::uint8_t* to = picture.rgb.get();
   for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 3) {

@@ -14,9 +14,11 @@ namespace tessera {
 struct Picture {
   int width = 0;
   int height = 0;
-  std::unique_ptr<std::uint8_t[]> rgb;  // width * height * 3 bytes at least
+  std::unique_ptr<std::uint8_t[]> rgb;      // width * height * 3 bytes at least
+  std::unique_ptr<std::uint8_t[]> alpha{};  // width * height bytes; null: all of it is opaque
+  double dpi = 0;                           // pixels an inch that the file tells, the same both ways; 0: it does not
 
-  ImageView view() const { return {rgb.get(), width, height, std::ptrdiff_t{3} * width}; }
+  ImageView view() const { return {rgb.get(), width, height, std::ptrdiff_t{3} * width, alpha.get(), dpi}; }
 };
 
 // Decodes a PNG, JPEG, WebP, TIFF or BMP file of 8 or 16 bits a channel; the first page or frame. kInvalidInput where

@@ -1,0 +1,104 @@
+#include "tessera/parquetry/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <tuple>
+
+#include "tessera/base/portable_math.h"
+#include "tessera/geometry/inscribed.h"
+#include "tessera/geometry/scan.h"
+
+namespace tessera::parquetry {
+namespace {
+
+constexpr double kPrecisionMm = 0.01;
+
+// What every patch is called: its place, and a letter where it shares that with others.
+std::vector<std::string> names_of(const std::vector<Patch>& patches) {
+  std::map<std::tuple<int, int, int>, int> shares, seen;
+  int targets = 1;
+  for (const Patch& patch : patches) {
+    ++shares[{patch.target, patch.row, patch.column}];
+    targets = std::max(targets, patch.target + 1);
+  }
+  std::vector<std::string> names;
+  for (const Patch& patch : patches) {
+    const std::tuple place{patch.target, patch.row, patch.column};
+    std::string name = targets > 1 ? std::to_string(patch.target + 1) + "-" : "";
+    name += column_letters(patch.column) + std::to_string(patch.row + 1);
+    if (shares[place] > 1) {
+      std::string part = column_letters(seen[place]++);
+      for (char& c : part) c = static_cast<char>(c - 'A' + 'a');
+      name += part;
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// Along which way brightness changes least: across the main axis of the gradients (structure tensor).
+double grain_of(const cv::Mat1b& grey, const Ring& ring) {
+  std::int64_t difference = 0, product = 0;  // sums of gx^2 - gy^2 and of 2 gx gy
+  each_run(ring, grey.cols, grey.rows, [&](int y, int begin, int end) {
+    if (y < 1 || y + 1 >= grey.rows) return;
+    for (int x = std::max(begin, 1); x < std::min(end, grey.cols - 1); ++x) {
+      const int gx = grey(y, x + 1) - grey(y, x - 1), gy = grey(y + 1, x) - grey(y - 1, x);
+      difference += gx * gx - gy * gy;
+      product += 2 * gx * gy;
+    }
+  });
+  return 90 + atan2_portable(static_cast<double>(product), static_cast<double>(difference)) * 90 / kPi;
+}
+
+Polygon scaled(const Polygon& outline, double scale) {
+  Polygon result = outline;
+  for (Point& p : result.outer) p = scale * p;
+  for (Ring& hole : result.holes)
+    for (Point& p : hole) p = scale * p;
+  return result;
+}
+
+}  // namespace
+
+std::string column_letters(int column) {
+  std::string letters;
+  for (int rest = column + 1; rest > 0; rest = (rest - 1) / 26)
+    letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return letters;
+}
+
+std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vector<Patch>& patches,
+                                const std::vector<Placement>& placements) {
+  std::vector<cv::Mat1b> greys(panels.size());
+  for (std::size_t i = 0; i < panels.size(); ++i) cv::cvtColor(panels[i].scan, greys[i], cv::COLOR_RGB2GRAY);
+  std::vector<const Placement*> placed(patches.size(), nullptr);
+  for (const Placement& placement : placements)
+    if (placement.panel >= 0) placed[static_cast<std::size_t>(placement.patch)] = &placement;
+  const std::vector<std::string> names = names_of(patches);
+  std::vector<CutPiece> pieces;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (!placed[i]) continue;
+    const Placement& placement = *placed[i];
+    CutPiece piece{.id = names[i],
+                   .row = patches[i].row + 1,
+                   .column = patches[i].column + 1,
+                   .target = patches[i].target + 1,
+                   .panel = static_cast<std::size_t>(placement.panel),
+                   .on_panel = on_panel(placement, patches[i].outline),
+                   .finished = patches[i].outline,
+                   .turn_deg = placement.turn_deg,
+                   .cost = placement.cost};
+    const double mm = panels[piece.panel].mm_per_px;
+    piece.centroid_mm = mm * centroid(piece.on_panel.outer);
+    piece.area_mm2 = mm * mm * area(piece.on_panel);
+    piece.min_width_mm = 2 * largest_inscribed(scaled(piece.on_panel, mm), kPrecisionMm).radius;
+    const double grain = grain_of(greys[piece.panel], piece.on_panel.outer) + piece.turn_deg;
+    piece.grain_deg = grain - 180 * std::floor(grain / 180);
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+}  // namespace tessera::parquetry
