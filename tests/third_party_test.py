@@ -5,7 +5,7 @@ import re
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-PERMISSIVE = {'Apache-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'BSL-1.0', 'CC0-1.0', 'IJG', 'ISC', 'MIT', 'Zlib', 'libpng-2.0',
+PERMISSIVE = {'Apache-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'BSL-1.0', 'CC0-1.0', 'Hershey', 'IJG', 'ISC', 'MIT', 'Zlib', 'libpng-2.0',
               'libtiff'}
 CMAKE_OWN = {'PkgConfig', 'Python3'}  # tools rather than libraries
 SYSTEM_HEADERS = re.compile(r'sys/.*|unistd\.h|fcntl\.h|malloc\.h')

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -74,6 +75,7 @@ struct Outcome {
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
   std::vector<Plot> plots;
+  std::optional<Job> done{};  // makes the same again, where the job that was run may not
   Frames frames = {};  // of the iterations, where they were recorded
 };
 
@@ -81,6 +83,7 @@ struct JobResult {
   std::vector<Artifact> artifacts;             // in the order of request.formats, of "folder" many; then plots
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
+  Job job;                                     // makes the same again
 };
 
 // Runs the job on decoded pictures: compute_job(), then write_artifacts(); "apng" shows its iterations. Reports all

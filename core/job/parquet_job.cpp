@@ -11,7 +11,12 @@
 #include "tessera/job/job_json.h"
 #include "tessera/job/parquet_folder.h"
 #include "tessera/parquetry/cut_sheets.h"
+#include "tessera/parquetry/features.h"
 #include "tessera/parquetry/panels.h"
+#include "tessera/parquetry/patches.h"
+#include "tessera/parquetry/plan.h"
+#include "tessera/parquetry/run.h"
+#include "tessera/parquetry/state.h"
 
 namespace tessera {
 namespace {
@@ -19,7 +24,6 @@ namespace {
 using parquetry::CutPiece;
 using parquetry::Panel;
 using parquetry::Params;
-using parquetry::Patch;
 using parquetry::Placement;
 
 // In the order of their names.
@@ -104,49 +108,88 @@ void add_wood(const Parquetry& made, Outcome& outcome) {
   outcome.metrics["cut_minutes"] = cut_minutes(cut, made.params);
 }
 
-// ---- stand-in for the matching
-struct Laid {
-  std::vector<Patch> patches;
-  std::vector<Placement> placements;
-  cv::Size size;
-};
+// What a finished piece may be at most: larger ones are slips.
+constexpr double kMostPixels = 2e8, kMostPatches = 200000;
 
-Laid lay_trivially(const ImageView& target, const std::vector<Panel>& panels, const Params& p) {
-  Laid laid;
-  const double mm = panels[0].mm_per_px, s = p.patch_mm / mm;
-  const int n = std::max(1, static_cast<int>(p.image_size_mm / p.patch_mm));
-  const int rows = target.width >= target.height ? n : n * target.height / target.width;
-  const int columns = target.width >= target.height ? n * target.width / target.height : n;
-  laid.size = {static_cast<int>(columns * s), static_cast<int>(rows * s)};
-  std::vector<cv::Mat1b> free;
-  for (const Panel& panel : panels) free.push_back(panel.mask.clone());
-  for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) {
-      Patch patch;
-      patch.row = r, patch.column = c;
-      const double x0 = c * laid.size.width / double(columns), x1 = (c + 1) * laid.size.width / double(columns);
-      const double y0 = r * laid.size.height / double(rows), y1 = (r + 1) * laid.size.height / double(rows);
-      patch.outline.outer = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-      Placement placement;
-      placement.patch = static_cast<int>(laid.patches.size());
-      placement.from = {(x0 + x1) / 2, (y0 + y1) / 2};
-      placement.turn_deg = 24 * ((r * 7 + c) % 15);
-      for (std::size_t i = 0; i < panels.size() && placement.panel < 0; ++i) {
-        const int half = static_cast<int>(s * 0.72 + p.clearance_mm / mm + 2);
-        for (int y = half; y + half < free[i].rows && placement.panel < 0; y += half / 2)
-          for (int x = half; x + half < free[i].cols; x += half / 2) {
-            cv::Mat1b window = free[i](cv::Rect(x - half, y - half, 2 * half, 2 * half));
-            if (cv::countNonZero(window) < 4 * half * half) continue;
-            window.setTo(0);
-            placement.panel = static_cast<int>(i);
-            placement.to = {x + 0.3, y + 0.4};
-            break;
-          }
-      }
-      laid.patches.push_back(patch);
-      laid.placements.push_back(placement);
-    }
-  return laid;
+Result<void> check_size(const ImageView& target, const Params& params, double mm_per_px) {
+  const double shorter = std::min(target.width, target.height), longer = std::max(target.width, target.height);
+  const double area_mm2 = params.image_size_mm * params.image_size_mm * longer / shorter;
+  const double patches = area_mm2 / (params.patch_mm * params.patch_mm), pixels = area_mm2 / (mm_per_px * mm_per_px);
+  if (patches > kMostPatches || pixels > kMostPixels)
+    return fail(StatusCode::kInvalidParameter, "imageSizeMm",
+                fmt::format("makes a piece of {:.0f} x {:.0f} mm of {:.0f} patches and {:.0f} Mpx, expected at most {} and {} Mpx",
+                            params.image_size_mm, params.image_size_mm * longer / shorter, patches, pixels / 1e6,
+                            kMostPatches, kMostPixels / 1e6));
+  return {};
+}
+
+// Tells requests apart: everything that decides how patches are laid, but not what comes after.
+std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const std::vector<Panel>& panels) {
+  std::get<Params>(job.params).improve_tries = 0;
+  job.inputs.clear();  // what is in them counts
+  std::uint64_t fingerprint = parquetry::fingerprint_of(job_to_text(job));
+  for (const cv::Mat3b& target : request.targets) fingerprint = parquetry::fingerprint_of(target, fingerprint);
+  for (const Panel& panel : panels) {
+    fingerprint = parquetry::fingerprint_of(panel.name, fingerprint);
+    fingerprint = parquetry::fingerprint_of(panel.scan, fingerprint);
+    fingerprint = parquetry::fingerprint_of(panel.mask, fingerprint);
+  }
+  return fingerprint;
+}
+
+// The matching (3.2, 3.3), which may be stopped and go on. `tries` counts the exchanges that were tried.
+Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
+                                const RunContext& context, int& tries) {
+  const auto& params = std::get<Params>(job.params);
+  const std::uint64_t fingerprint = fingerprint_of(job, request, panels);
+  if (!context.earlier.empty()) {
+    auto earlier = parquetry::read_state(context.earlier, fingerprint, request.patches, params,
+                                         panels.front().mm_per_px);
+    if (!earlier) return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
+    request.earlier = *std::move(earlier);
+  }
+  if (context.go_on_improving || params.improve_tries > 0)
+    request.improve = [&] {
+      const bool go_on = context.go_on_improving ? context.go_on_improving() : tries < params.improve_tries;
+      tries += go_on;
+      return go_on;
+    };
+  std::vector<parquetry::Laid> laid = request.earlier;
+  const auto offer = [&] {
+    if (context.on_state) context.on_state([&] { return parquetry::write_state(fingerprint, laid); });
+  };
+  auto output = parquetry::run(panels, request, params, context, [&](const std::vector<parquetry::Laid>& pieces) {
+    laid.insert(laid.end(), pieces.begin(), pieces.end());
+    offer();
+  });
+  if (!output) offer();
+  return output;
+}
+
+// Says which patches found no wood, and what wood they would have liked.
+void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, const Params& params, double mm_per_px,
+                  const RunContext& context) {
+  constexpr std::size_t kNamed = 12;
+  const std::vector<std::string> names = parquetry::names_of(output.patches);
+  std::string named;
+  std::size_t missing = 0;
+  double area = 0;
+  std::int64_t light = 0, pixels = 0;
+  for (const Placement& placement : output.placements) {
+    if (placement.panel >= 0) continue;
+    const auto patch = static_cast<std::size_t>(placement.patch);
+    if (++missing <= kNamed) named += (missing > 1 ? ", " : "") + names[patch];
+    const cv::Rect box = output.patches[patch].box;
+    const double around = params.kerf_mm + params.clearance_mm;
+    area += (box.width * mm_per_px + around) * (box.height * mm_per_px + around);
+    for (const std::uint8_t level : cv::Mat1b(parquetry::intensity_of(target(box)))) light += level;
+    pixels += box.area();
+  }
+  if (missing == 0) return;
+  if (missing > kNamed) named += fmt::format(" and {} more", missing - kNamed);
+  context.warn(fmt::format("no wood is left for {} of {} patches: {}; some {:.0f} cm2 more of {} wood would help", missing,
+                           output.patches.size(), named, std::ceil(area / 100),
+                           parquetry::tone_name(static_cast<int>(light / pixels))));
 }
 
 }  // namespace
@@ -158,25 +201,61 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   context.stage("panels");
   auto panels = parquetry::take_in(scans_of(pictures), params, context);
   if (!panels) return tl::unexpected<Status>(std::move(panels.error()));
-  Laid laid = lay_trivially(pictures.at("target"), *panels, params);
+  const double mm_per_px = panels->front().mm_per_px;
+  const ImageView& picture = pictures.at("target");
+  if (auto good = check_size(picture, params, mm_per_px); !good) return tl::unexpected<Status>(std::move(good.error()));
+  parquetry::Request request;
+  request.targets = {parquetry::at_resolution(picture.mat(), params, mm_per_px)};
+  request.patches = parquetry::grid_patches(request.targets.front().size(), params, mm_per_px);
+  int tries = 0;
+  auto output = match(job, *panels, request, context, tries);
+  if (!output) return tl::unexpected<Status>(std::move(output.error()));
+  tell_missing(*output, request.targets.front(), params, mm_per_px, context);
 
+  Outcome outcome;
+  outcome.done = job;
+  std::get<Params>(outcome.done->params).improve_tries = tries;
   auto made = std::make_shared<Parquetry>();
-  made->pieces = parquetry::pieces_of(*panels, laid.patches, laid.placements);
+  made->pieces = parquetry::pieces_of(*panels, output->patches, output->placements);
   made->params = params;
   made->panels = *std::move(panels);
-  made->size = laid.size;
-  made->job_json = job_to_text(job);
-  Outcome outcome;
+  made->size = request.targets.front().size();
+  made->job_json = job_to_text(*outcome.done);
   outcome.sheet = sheet_of(*made);
-  outcome.counts = {{"patches", static_cast<std::int64_t>(laid.patches.size())},
+  outcome.counts = {{"patches", static_cast<std::int64_t>(output->patches.size())},
                     {"pieces", static_cast<std::int64_t>(made->pieces.size())},
-                    {"missing", static_cast<std::int64_t>(laid.patches.size() - made->pieces.size())},
+                    {"missing", output->without_wood},
+                    {"quartered", output->quartered},
+                    {"exchanges", output->exchanges},
                     {"panels", static_cast<std::int64_t>(made->panels.size())}};
+  outcome.metrics = {{"cost", static_cast<double>(output->cost)},
+                     {"greedy_cost", static_cast<double>(output->greedy_cost)},
+                     {"cost_per_px", static_cast<double>(output->cost) / static_cast<double>(made->size.area())}};
   add_wood(*made, outcome);
   outcome.folder = [made] { return parquet_folder(*made); };
   return outcome;
 }
 
-std::vector<Question> parquet_questions() { return {}; }
+std::vector<Question> parquet_questions() {
+  const auto plan = [](const Job& job, const Pictures& pictures, const RunContext&) -> Result<std::string> {
+    const auto& params = std::get<Params>(job.params);
+    const ImageView target = picture_of(pictures, "target");
+    if (auto good = check_size(target, params, parquetry::plan_mm_per_px(params)); !good)
+      return tl::unexpected<Status>(std::move(good.error()));
+    return describe(parquetry::plan_of({target.width, target.height}, params), params);
+  };
+  const auto forecast = [](const Job& job, const Pictures& pictures, const RunContext& context) -> Result<std::string> {
+    const auto& params = std::get<Params>(job.params);
+    if (scans_of(pictures).empty()) return fail(StatusCode::kInvalidInput, "panel", "is missing, expected a picture");
+    if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
+    const auto panels = parquetry::take_in(scans_of(pictures), params, context);
+    if (!panels) return tl::unexpected<Status>(panels.error());
+    if (auto good = check_size(pictures.at("target"), params, panels->front().mm_per_px); !good)
+      return tl::unexpected<Status>(std::move(good.error()));
+    return describe(parquetry::forecast_of(pictures.at("target").mat(), *panels, params), *panels, params);
+  };
+  return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target"}, plan},
+          {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "panel", "mask"}, forecast}};
+}
 
 }  // namespace tessera

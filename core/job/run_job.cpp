@@ -140,7 +140,8 @@ Result<Outcome> compute_valid_job(const Job& job, const Pictures& pictures, Rast
   };
   auto outcome = technique.run(job, pictures, rasterizer, context, recorder ? record : observer);
   if (!outcome) return outcome;
-  outcome->sheet.job_json = outcome->scene.job_json = job_to_text(job);
+  if (!outcome->done) outcome->done = job;
+  outcome->sheet.job_json = outcome->scene.job_json = job_to_text(*outcome->done);
   if (recorder) outcome->frames = {recorder->frames(), [recorder](int index) { return recorder->frame(index); }};
   return outcome;
 }
@@ -195,7 +196,7 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
   if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));
-  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics)};
+  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics), *std::move(outcome->done)};
 }
 
 }  // namespace tessera

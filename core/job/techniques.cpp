@@ -66,6 +66,7 @@ const std::vector<Technique>& techniques() {
        .formats = {"folder", "svg", "dxf", "png", "json", "csv"},
        .defaults = parquetry::Params{},
        .questions = parquet_questions(),
+       .long_running = true,
        .run = run_parquet_job},
   };
   assert(all.size() == std::variant_size_v<TechniqueParams>);

@@ -39,6 +39,7 @@ struct Technique {
   TechniqueParams defaults;
   std::string_view subject{};  // the parameter that the command line takes in the place of a picture
   std::vector<Question> questions{};
+  bool long_running = false;   // may be stopped and go on, and improve its result (RunContext)
   TechniqueRun* run;           // pictures hold every required role, the parameters are valid
 };
 

@@ -28,7 +28,7 @@ tl::unexpected<Status> refuse(const Source& source, std::string message) {
 }
 
 double dpi_of(const Scan& scan, const PanelOptions& options, const RunContext& context) {
-  constexpr double kScreen = 96;  // what programs write that know no resolution
+  constexpr double kScreens[] = {72, 96};  // what programs write that know no resolution
   if (options.dpi > 0) return options.dpi;
   const double dpi = scan.picture.dpi > 0 ? scan.picture.dpi : kUnknownDpi;
   const auto size = [&] {
@@ -37,7 +37,7 @@ double dpi_of(const Scan& scan, const PanelOptions& options, const RunContext& c
   if (scan.picture.dpi <= 0)
     context.warn(fmt::format("{}: the scan tells no resolution; taken as {} dpi, it is {} (expected dpi=N)",
                              scan.name, kUnknownDpi, size()));
-  else if (dpi <= kScreen)
+  else if (std::any_of(std::begin(kScreens), std::end(kScreens), [&](double d) { return std::abs(dpi - d) < 0.5; }))
     context.warn(fmt::format("{}: the scan tells {:.4g} dpi, which is rarely true; it is taken as {} (dpi=N changes "
                              "that)",
                              scan.name, dpi, size()));

@@ -32,6 +32,7 @@ struct Params {
   double clearance_mm = 1;
   double min_width_mm = 5;
   Side side = Side::kBack;
+  int improve_tries = 0;
   double cut_speed = 20;
   std::string panels;
   Registration registration = Registration::kSimilarity;
@@ -116,6 +117,13 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.side, {.key = "side", .help = "From which side the panels are cut"},
            {{Side::kBack, "back", "the back, mirrored: the laser's scorch marks stay behind"},
             {Side::kFront, "front", "the front, as scanned"}});
+  v.integer(p.improve_tries, {.key = "improveTries",
+                              .min = 0,
+                              .max = 1e9,
+                              .ui_min = 0,
+                              .ui_max = 1000,
+                              .help = "How often pieces try to exchange their wood for better, after all have some",
+                              .advanced = true});
   v.number(p.cut_speed, {.key = "cutSpeed",
                          .min = 0.01,
                          .max = 10000,

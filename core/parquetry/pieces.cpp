@@ -15,29 +15,6 @@ namespace {
 
 constexpr double kPrecisionMm = 0.01;
 
-// What every patch is called: its place, and a letter where it shares that with others.
-std::vector<std::string> names_of(const std::vector<Patch>& patches) {
-  std::map<std::tuple<int, int, int>, int> shares, seen;
-  int targets = 1;
-  for (const Patch& patch : patches) {
-    ++shares[{patch.target, patch.row, patch.column}];
-    targets = std::max(targets, patch.target + 1);
-  }
-  std::vector<std::string> names;
-  for (const Patch& patch : patches) {
-    const std::tuple place{patch.target, patch.row, patch.column};
-    std::string name = targets > 1 ? std::to_string(patch.target + 1) + "-" : "";
-    name += column_letters(patch.column) + std::to_string(patch.row + 1);
-    if (shares[place] > 1) {
-      std::string part = column_letters(seen[place]++);
-      for (char& c : part) c = static_cast<char>(c - 'A' + 'a');
-      name += part;
-    }
-    names.push_back(std::move(name));
-  }
-  return names;
-}
-
 // Along which way brightness changes least: across the main axis of the gradients (structure tensor).
 double grain_of(const cv::Mat1b& grey, const Ring& ring) {
   std::int64_t difference = 0, product = 0;  // sums of gx^2 - gy^2 and of 2 gx gy
@@ -67,6 +44,29 @@ std::string column_letters(int column) {
   for (int rest = column + 1; rest > 0; rest = (rest - 1) / 26)
     letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
   return letters;
+}
+
+// Its place, and a letter where it shares that with others.
+std::vector<std::string> names_of(const std::vector<Patch>& patches) {
+  std::map<std::tuple<int, int, int>, int> shares, seen;
+  int targets = 1;
+  for (const Patch& patch : patches) {
+    ++shares[{patch.target, patch.row, patch.column}];
+    targets = std::max(targets, patch.target + 1);
+  }
+  std::vector<std::string> names;
+  for (const Patch& patch : patches) {
+    const std::tuple place{patch.target, patch.row, patch.column};
+    std::string name = targets > 1 ? std::to_string(patch.target + 1) + "-" : "";
+    name += column_letters(patch.column) + std::to_string(patch.row + 1);
+    if (shares[place] > 1) {
+      std::string part = column_letters(seen[place]++);
+      for (char& c : part) c = static_cast<char>(c - 'A' + 'a');
+      name += part;
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
 }
 
 std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vector<Patch>& patches,

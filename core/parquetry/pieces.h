@@ -27,6 +27,9 @@ struct CutPiece {
 // "A", "Z", "AA" of a column counted from 0.
 std::string column_letters(int column);
 
+// What each patch is called.
+std::vector<std::string> names_of(const std::vector<Patch>& patches);
+
 // A piece a placement that has a panel, in the patches' order.
 std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vector<Patch>& patches,
                                 const std::vector<Placement>& placements);

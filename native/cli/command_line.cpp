@@ -29,7 +29,7 @@ constexpr const char* kJobFooter =
 // The flags that every command shares which runs a job.
 class SettingFlags {
  public:
-  SettingFlags(CLI::App& command, const std::vector<std::string>& formats)
+  SettingFlags(CLI::App& command, const std::vector<std::string>& formats, bool long_running)
       : common_(command, kGroup, setting_flags()) {
     const auto add = [&](const char* flags, auto& target, const char* type, const std::string& help) {
       return command.add_option(flags, target, help)->type_name(type)->group(kGroup);
@@ -53,6 +53,11 @@ class SettingFlags {
     add("--save-job", settings_.save_job, "FILE", "Write the job as JSON, for tessera run");
     add("--plots", settings_.plots, "FOLDER", "Write histograms and curves as SVG");
     command.add_flag("--quiet", settings_.quiet, "Neither bar nor warnings")->group(kGroup);
+    if (!long_running) return;
+    add("--improve", settings_.improve_s, "SECONDS", "Go on making the result better for so long")
+        ->check(CLI::Range(0.001, 1e8));
+    command.add_flag("--resume", settings_.resume, "Go on where an interrupted run stopped (FOLDER.checkpoint)")
+        ->group(kGroup);
   }
 
   Settings read(Problems& problems) const {
@@ -96,7 +101,7 @@ class TechniqueCommand {
         app_(*app.add_subcommand(std::string(technique.command), std::string(technique.help))),
         main_(app_, "Parameters", select(parameters_of(technique.defaults), false)),
         advanced_(app_, "More parameters", select(parameters_of(technique.defaults), true)),
-        run_(app_, technique.formats) {
+        run_(app_, technique.formats, technique.long_running) {
     for (const InputRole& role : technique.inputs) {
       const std::string name(role.name);
       if (role.many) continue;
@@ -212,7 +217,7 @@ class TechniqueCommand {
 class SavedJobCommand {
  public:
   explicit SavedJobCommand(CLI::App& app)
-      : app_(*app.add_subcommand("run", "Run a saved job again, or the job inside an SVG")), run_(app_, {}) {
+      : app_(*app.add_subcommand("run", "Run a saved job again, or the job inside an SVG")), run_(app_, {}, true) {
     app_.add_option("JOB", command_.path, "A job's JSON, or an SVG that tessera made")->required()->type_name("FILE");
     app_.add_option("--set", command_.changes, "Change a parameter, an input or the seed")
         ->type_name("KEY=VALUE")

@@ -113,6 +113,14 @@ std::vector<std::string> report_paths(const Settings& settings, const std::vecto
   return paths;
 }
 
+std::string checkpoint_path(const Settings& settings, const std::vector<std::string>& formats) {
+  const auto folder = std::find(formats.begin(), formats.end(), "folder");
+  if (folder == formats.end()) return "";
+  std::string path = settings.outputs[static_cast<std::size_t>(folder - formats.begin())].path;
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  return path + ".checkpoint";
+}
+
 Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const std::vector<std::string>& formats,
                                                const Job& job, const JobResult& result, AtomicFiles& files) {
   std::vector<WrittenFile> written;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tessera/cli/backend.h"
+#include "tessera/cli/checkpoint.h"
 #include "tessera/cli/inputs.h"
 #include "tessera/cli/messages.h"
 #include "tessera/cli/outputs.h"
@@ -30,6 +31,10 @@ class Run {
     request.png_scale = settings_.png_scale;
     if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
 
+    checkpoint_ = Checkpoint(checkpoint_path(settings_, request.formats));
+    if (settings_.resume) {
+      if (auto read = checkpoint_.read(); !read) return problem(std::move(read.error()));
+    }
     begin("decode");
     const bool reports = !report_paths(settings_, request.formats).empty();
     auto inputs = read_inputs(job_, folder, settings_.max_pixels, reports);
@@ -38,12 +43,16 @@ class Run {
     auto backend = make_backend(settings_.backend);
     if (!backend) return problem(std::move(backend.error()));
     auto result = compute(*inputs, request, *backend);
+    if (!result && result.error().front().field.empty() && stop_reason() == StopReason::kNone && !checkpoint_.earlier().empty())
+      result.error().front().field = checkpoint_.path();
     if (!result) return tl::unexpected<Problems>(std::move(result.error()));
     begin("write");
     auto written = write(*inputs, request.formats, *result, backend->rasterizer->name());
     if (!written) return problem(std::move(written.error()));
     return {};
   }
+
+  const std::string& kept() const { return checkpoint_.kept(); }
 
  private:
   void begin(std::string_view stage) {
@@ -60,9 +69,16 @@ class Run {
   RunContext context() {
     RunContext context;
     context.stop = &stop_flag();
-    context.on_stage = [this](std::string_view stage) { begin(stage); };
+    context.on_stage = [this](std::string_view stage) {
+      begin(stage);
+      improving_ = {};
+    };
     context.on_progress = [this](double fraction) { bar_.progress(fraction); };
     context.on_warning = [this](std::string_view message) { warn(message); };
+    if (!checkpoint_.path().empty())
+      context.on_state = [this](const std::function<std::string()>& state) { checkpoint_.offer(state); };
+    context.earlier = checkpoint_.earlier();
+    if (settings_.improve_s > 0) context.go_on_improving = [this] { return improving_.seconds() < settings_.improve_s; };
     return context;
   }
 
@@ -84,21 +100,24 @@ class Run {
                      const JobResult& result, std::string_view backend) {
     const UnkillableScope unkillable;
     AtomicFiles files;
-    auto written = write_outputs(settings_, formats, job_, result, files);
+    auto written = write_outputs(settings_, formats, result.job, result, files);
     if (!written) return tl::unexpected<Status>(std::move(written.error()));
     clock_.end();
     for (const std::string& path : report_paths(settings_, formats)) {
-      auto done = files.add(path, write_report(job_, backend, inputs, result, *written, clock_));
+      auto done = files.add(path, write_report(result.job, backend, inputs, result, *written, clock_));
       if (!done) return done;
     }
     if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
     bar_.clear();
+    if (!checkpoint_.path().empty()) files.remove(checkpoint_.path());
     return files.commit();
   }
 
   const Job& job_;
   const Settings& settings_;
   StageClock clock_;
+  Checkpoint checkpoint_;
+  Stopwatch improving_;  // since the stage began
   ProgressBar bar_{settings_.quiet ? ProgressMode::kNever : settings_.progress};
 };
 
@@ -106,10 +125,14 @@ class Run {
 
 int run_and_write(Job job, const Settings& settings, const std::string& folder) {
   if (settings.seed) job.seed = *settings.seed;
-  const auto done = Run(job, settings)(folder);
+  Run run(job, settings);
+  const auto done = run(folder);
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
-  return print_problems(stop_reason() == StopReason::kNone ? done.error() : Problems{stop_status()});
+  if (stop_reason() == StopReason::kNone) return print_problems(done.error());
+  Status stopped = stop_status();
+  if (!run.kept().empty()) stopped.message += "; what is done is kept in " + run.kept() + ", --resume goes on";
+  return print_problems({stopped});
 }
 
 tl::expected<std::string, Problems> ask_job(Job job, const Question& question, const Settings& settings) {

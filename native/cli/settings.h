@@ -32,6 +32,8 @@ struct Settings {
   std::uint64_t max_pixels = 0;
   double timeout_s = 0;  // 0: none
   double png_scale = 0;  // 0: the sheet's size decides
+  double improve_s = 0;  // 0: as the job says
+  bool resume = false;
 };
 
 // The flags of Settings that take a number or a word, described as parameters are.

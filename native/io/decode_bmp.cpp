@@ -28,10 +28,8 @@ Header header_of(Bytes file) {
 }
 
 double dpi_of(Bytes file) {
-  constexpr double kInch = 0.0254;
   if (read_number(file, 14, 4, ByteOrder::kLittle) < 40) return 0;
-  return same_both_ways(kInch * read_number(file, 38, 4, ByteOrder::kLittle),
-                        kInch * read_number(file, 42, 4, ByteOrder::kLittle));
+  return dpi_of_metres(read_number(file, 38, 4, ByteOrder::kLittle), read_number(file, 42, 4, ByteOrder::kLittle));
 }
 
 struct Free {

@@ -37,6 +37,8 @@ tl::unexpected<Status> damaged(std::string_view kind, std::string_view reason);
 Picture make_picture(std::uint64_t width, std::uint64_t height, int channels);
 // A resolution where both are one within a hundredth and can be; else 0.
 double same_both_ways(double x_dpi, double y_dpi);
+// The same of whole pixels a metre, by which a whole number of dpi can only be told roughly.
+double dpi_of_metres(double x, double y);
 enum class Alpha { kStraight, kPremultiplied };
 // Lays the RGBA pixels in `picture` over white and closes the gaps: RGB remains, and alpha where it is not 255.
 void lay_over_white(Picture& picture, Alpha alpha);

@@ -72,6 +72,12 @@ double same_both_ways(double x_dpi, double y_dpi) {
   return usable ? x_dpi : 0;
 }
 
+double dpi_of_metres(double x, double y) {
+  constexpr double kInch = 0.0254;
+  const double dpi = same_both_ways(kInch * x, kInch * y);
+  return std::abs(dpi - std::round(dpi)) <= kInch / 2 ? std::round(dpi) : dpi;
+}
+
 void lay_over_white(Picture& picture, Alpha alpha) {
   const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   const auto is_clear = [&](std::size_t i) { return picture.rgb[4 * i + 3] != 255; };

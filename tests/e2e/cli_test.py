@@ -32,12 +32,12 @@ class UsageTest(CliTest):
     def test_only_commands_that_work_are_listed(self):
         text = self.succeed('--help').stdout.decode()
         commands = [line.split()[0] for line in text.split('Subcommands:')[1].splitlines() if line.strip()]
-        self.assertEqual(commands, ['pave', 'mosaic', 'pebbles', 'pattern', 'measure', 'fit', 'run', 'schema'])
+        self.assertEqual(commands, ['pave', 'mosaic', 'pebbles', 'pattern', 'parquet', 'measure', 'fit', 'run', 'schema'])
         for command in commands:
             self.succeed(command, '--help')
 
     def test_wrong_usage(self):
-        self.fail_with(2, says=['expected pave, mosaic, pebbles, pattern, measure, fit, run or schema'])
+        self.fail_with(2, says=['expected pave, mosaic, pebbles, pattern, parquet, measure, fit, run or schema'])
         self.fail_with(2, 'fold', says=['fold'])
         self.fail_with(2, 'pave', says=['DRAWING'])
         self.fail_with(2, 'pave', 'disc.png', says=['-o'])
@@ -47,7 +47,7 @@ class UsageTest(CliTest):
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a', says=['a: has no extension'])
         self.fail_with(2, 'pave', 'disc.png', '-o', '-', says=['--format'])
         self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '-o', 'a.svg', says=['two outputs'])
-        self.fail_with(2, 'schema', 'cheese', says=['cheese', 'expected pavement, mosaic, pebbles or pattern'])
+        self.fail_with(2, 'schema', 'cheese', says=['cheese', 'expected pavement, mosaic, pebbles, pattern or parquetry'])
 
     def test_parameters_out_of_range(self):
         done = self.fail_with(2, 'pave', 'disc.png', '-o', 'a.svg', '--half-side', '0.2')

@@ -82,5 +82,27 @@ TEST(Shrunk, ReadsRowsByTheirStride) {
   EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
 }
 
+TEST(Resampled, PixelsAreAsLargeAsAsked) {
+  // 5 / 3 source pixels each; the last one reaches beyond the picture, which goes on as it ends.
+  const cv::Mat3b source = noise(17, 11, 4);
+  const cv::Mat3b out = resampled(view_of(source), {5, 3}, {5, 3}, {11, 7});
+  const auto at = [&](int x, int y, int c) { return static_cast<double>(source(std::min(y, 10), std::min(x, 16))[c]); };
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 11; ++x)
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (int v = 0; v < 25; ++v)
+          for (int u = 0; u < 25; ++u) sum += at((5 * x + u / 5) / 3, (5 * y + v / 5) / 3, c);
+        ASSERT_NEAR(out(y, x)[c], sum / 625, 1.0) << x << ' ' << y;
+      }
+}
+
+TEST(Resampled, FinerThanTheSource) {
+  const cv::Mat3b source = noise(5, 4, 9);
+  const cv::Mat3b out = resampled(view_of(source), {1, 2}, {1, 2}, {10, 8});
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 10; ++x) ASSERT_EQ(out(y, x), source(y / 2, x / 2));
+}
+
 }  // namespace
 }  // namespace tessera

@@ -243,6 +243,60 @@ TEST(PictureTest, IgnoresSenselessOrientations) {
   }
 }
 
+double dpi_of(const FileBytes& file) {
+  const auto picture = decode_picture(file, kPlenty);
+  EXPECT_TRUE(picture.has_value());
+  return picture ? picture->dpi : -1;
+}
+
+TEST(PictureTest, TellsItsResolution) {
+  const auto png = [](std::uint32_t x, std::uint32_t y, std::uint8_t unit) {
+    FileBytes data;
+    append_big_endian(data, x);
+    append_big_endian(data, y);
+    data.push_back(unit);
+    return png_file(colourful(3, 2), {{"pHYs", data}});
+  };
+  EXPECT_EQ(dpi_of(png(11811, 11811, 1)), 300);
+  EXPECT_NEAR(dpi_of(png(11800, 11800, 1)), 299.72, 0.001);
+  EXPECT_EQ(dpi_of(png(11811, 5906, 1)), 0);  // pixels that are no squares
+  EXPECT_EQ(dpi_of(png(1, 1, 0)), 0);
+  EXPECT_EQ(dpi_of(png_file(colourful(3, 2))), 0);
+
+  // JFIF's header is the first segment: its unit is at 13, the densities follow.
+  const auto jpeg = [](std::uint8_t unit, int x, int y) {
+    FileBytes file = jpeg_file(smooth(16, 8));
+    file[13] = unit;
+    file[14] = static_cast<std::uint8_t>(x >> 8), file[15] = static_cast<std::uint8_t>(x);
+    file[16] = static_cast<std::uint8_t>(y >> 8), file[17] = static_cast<std::uint8_t>(y);
+    return file;
+  };
+  EXPECT_EQ(dpi_of(jpeg(1, 600, 600)), 600);
+  EXPECT_NEAR(dpi_of(jpeg(2, 118, 118)), 299.72, 0.01);
+  EXPECT_EQ(dpi_of(jpeg(0, 1, 1)), 0);
+  EXPECT_EQ(dpi_of(jpeg(1, 0, 0)), 0);
+
+  const auto tiff = [](int unit, float x) {
+    return tiff_file(2, 2, [=](TIFF* file) {
+      describe_samples(file, 3, 8, PHOTOMETRIC_RGB);
+      TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, unit);
+      TIFFSetField(file, TIFFTAG_XRESOLUTION, x);
+      TIFFSetField(file, TIFFTAG_YRESOLUTION, x);
+    }, FileBytes(12));
+  };
+  EXPECT_EQ(dpi_of(tiff(RESUNIT_INCH, 400)), 400);
+  EXPECT_EQ(dpi_of(tiff(RESUNIT_CENTIMETER, 200)), 508);
+  EXPECT_EQ(dpi_of(tiff(RESUNIT_NONE, 200)), 0);
+}
+
+TEST(PictureTest, KeepsAlphaWhereThereIsSome) {
+  const auto clear = decode_picture(png_file(3, 1, 8, PngColour::kRgba, {9, 9, 9, 255, 9, 9, 9, 0, 9, 9, 9, 128}), kPlenty);
+  ASSERT_TRUE(clear->alpha);
+  EXPECT_EQ(std::vector<int>(clear->alpha.get(), clear->alpha.get() + 3), (std::vector<int>{255, 0, 128}));
+  EXPECT_FALSE(decode_picture(png_file(1, 1, 8, PngColour::kRgba, {9, 9, 9, 255}), kPlenty)->alpha);
+  EXPECT_FALSE(decode_picture(png_file(colourful(3, 2)), kPlenty)->alpha);
+}
+
 TEST(PictureTest, RefusesOtherKinds) {
   const std::string expected = "expected PNG, JPEG, WebP, TIFF or BMP";
   for (const std::string text : {"GIF89a and more", "<svg xmlns='x'/>", "B", "\x89PNG", "hello"}) {

@@ -64,11 +64,11 @@ TEST(JobJsonTest, ReportsAllProblems) {
 
 TEST(JobJsonTest, RefusesWrongMembers) {
   EXPECT_EQ(refusal(R"({"technique": "pavement"})").message, "is missing, expected 1");
-  EXPECT_EQ(refusal(R"({"schemaVersion": 1})").message, "is missing, expected pavement, mosaic, pebbles or pattern");
+  EXPECT_EQ(refusal(R"({"schemaVersion": 1})").message, "is missing, expected pavement, mosaic, pebbles, pattern or parquetry");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "cheese"})").message,
-            "is \"cheese\", expected pavement, mosaic, pebbles or pattern");
+            "is \"cheese\", expected pavement, mosaic, pebbles, pattern or parquetry");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": ["pavement"]})").message,
-            "is a list, expected pavement, mosaic, pebbles or pattern");
+            "is a list, expected pavement, mosaic, pebbles, pattern or parquetry");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "pavement", "seed": 9007199254740992})").field, "seed");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "pavement", "seed": 1.5})").field, "seed");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "pavement", "params": []})").field, "params");
@@ -178,6 +178,18 @@ TEST(JobSvgTest, SurvivesBeingCut) {
   const std::size_t end = svg.find("</metadata>") + std::string("</metadata>").size();
   for (std::size_t size = 0; size <= svg.size(); ++size) {
     EXPECT_EQ(read_job(std::string_view(svg).substr(0, size)).has_value(), size >= end) << size;
+  }
+}
+
+TEST(JobJsonTest, RolesOfManyPicturesHaveNames) {
+  const std::string start = R"({"schemaVersion": 1, "technique": "parquetry", "inputs": {"target": "t.png", )";
+  const auto job = read_job(start + R"("panel-oak": "o.jpg", "mask-oak": "m.png", "panel-fir_2": "f.jpg"}})");
+  ASSERT_TRUE(job.has_value());
+  EXPECT_EQ(job->inputs.at("panel-fir_2"), "f.jpg");
+  EXPECT_EQ(job_to_text(*read_job(job_to_text(*job))), job_to_text(*job));
+  for (const char* wrong : {"panel", "panel-", "panel-a b", "panel-../x", "mask", "oak"}) {
+    const Status status = refusal(start + '"' + wrong + "\": \"o.jpg\"}}");
+    EXPECT_THAT(status.message, HasSubstr("expected target, panel-NAME or mask-NAME")) << wrong;
   }
 }
 

@@ -1,0 +1,78 @@
+#include "tessera/parquetry/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "tessera/image/resample.h"
+
+namespace tessera::parquetry {
+namespace {
+
+Patch rectangle(cv::Rect box, int row, int column, int level, int target) {
+  Patch patch;
+  patch.row = row;
+  patch.column = column;
+  patch.level = level;
+  patch.target = target;
+  const double left = box.x, top = box.y, right = box.x + box.width, bottom = box.y + box.height;
+  patch.outline.outer = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+  patch.box = box;
+  patch.mask = cv::Mat1b(box.size(), 255);
+  return patch;
+}
+
+cv::Rect between(const std::vector<int>& columns, const std::vector<int>& rows, int column, int row) {
+  return {columns[column], rows[row], columns[column + 1] - columns[column], rows[row + 1] - rows[row]};
+}
+
+}  // namespace
+
+cv::Mat3b at_resolution(const cv::Mat3b& target, const Params& params, double mm_per_px) {
+  const int shorter = std::min(target.cols, target.rows);
+  const int wanted = std::max(1, static_cast<int>(std::lround(params.image_size_mm / mm_per_px)));
+  const auto size = [&](int side) {
+    return side == shorter ? wanted : static_cast<int>((2 * std::int64_t{side} * wanted + shorter) / (2 * shorter));
+  };
+  const cv::Size to(size(target.cols), size(target.rows));
+  if (wanted <= shorter)
+    return resampled({target.data, target.cols, target.rows, static_cast<std::ptrdiff_t>(target.step)},
+                     {target.cols, to.width}, {target.rows, to.height}, to);
+  cv::Mat3b larger;
+  cv::resize(target, larger, to, 0, 0, cv::INTER_LINEAR_EXACT);
+  return larger;
+}
+
+std::vector<int> even_cuts(int length, double wanted, double least) {
+  const auto most = std::max(1, static_cast<int>(length / std::max(1.0, std::ceil(least))));
+  const int parts = std::clamp(static_cast<int>(std::lround(length / std::max(1.0, wanted))), 1, most);
+  std::vector<int> cuts;
+  for (std::int64_t i = 0; i <= parts; ++i) cuts.push_back(static_cast<int>(i * length / parts));
+  return cuts;
+}
+
+std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index) {
+  const double wanted = params.patch_mm / mm_per_px, least = params.min_width_mm / mm_per_px;
+  const std::vector<int> columns = even_cuts(target.width, wanted, least),
+                         rows = even_cuts(target.height, wanted, least);
+  std::vector<Patch> patches;
+  for (int row = 0; row + 1 < static_cast<int>(rows.size()); ++row)
+    for (int column = 0; column + 1 < static_cast<int>(columns.size()); ++column)
+      patches.push_back(rectangle(between(columns, rows, column, row), row, column, 0, target_index));
+  return patches;
+}
+
+std::vector<Patch> quarters(const Patch& patch, const Params& params, double mm_per_px) {
+  const cv::Rect& box = patch.box;
+  if (std::min(box.width, box.height) / 2 < std::max(1.0, params.min_width_mm / mm_per_px)) return {};
+  const std::vector<int> columns = {box.x, box.x + box.width / 2, box.x + box.width};
+  const std::vector<int> rows = {box.y, box.y + box.height / 2, box.y + box.height};
+  std::vector<Patch> parts;
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 2; ++column)
+      parts.push_back(
+          rectangle(between(columns, rows, column, row), patch.row, patch.column, patch.level + 1, patch.target));
+  return parts;
+}
+
+}  // namespace tessera::parquetry

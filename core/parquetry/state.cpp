@@ -1,0 +1,85 @@
+#include "tessera/parquetry/state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tessera/base/text.h"
+#include "tessera/parquetry/patches.h"
+
+namespace tessera::parquetry {
+namespace {
+
+constexpr std::string_view kFirstLine = "tessera parquetry state 1";
+constexpr std::size_t kNumbers = 18;
+
+// Patches and all the quarters of them, as far as they are asked for.
+std::optional<Patch> find(const std::vector<Patch>& patches, const Patch& wanted, const Params& params,
+                          double mm_per_px) {
+  for (const Patch& patch : patches) {
+    if (patch.target != wanted.target || patch.row != wanted.row || patch.column != wanted.column) continue;
+    if (patch.level == wanted.level && patch.box == wanted.box) return patch;
+    if (patch.level >= wanted.level || (patch.box & wanted.box).empty()) continue;
+    if (auto quarter = find(quarters(patch, params, mm_per_px), wanted, params, mm_per_px)) return quarter;
+  }
+  return std::nullopt;
+}
+
+bool read_numbers(std::string_view line, std::vector<double>& numbers) {
+  numbers.clear();
+  for (const std::string_view word : split(line, " "))
+    if (double number = 0; parse_number(word, number) && std::isfinite(number)) numbers.push_back(number);
+  return numbers.size() == kNumbers;
+}
+
+}  // namespace
+
+std::uint64_t fingerprint_of(std::string_view bytes, std::uint64_t before) {
+  for (const char c : bytes) before = (before ^ static_cast<std::uint8_t>(c)) * 1099511628211U;
+  return before;
+}
+
+std::uint64_t fingerprint_of(const cv::Mat& pixels, std::uint64_t before) {
+  before = fingerprint_of(fmt::format("{}x{}", pixels.cols, pixels.rows), before);
+  for (int y = 0; y < pixels.rows; ++y)
+    before = fingerprint_of({pixels.ptr<char>(y), static_cast<std::size_t>(pixels.cols) * pixels.elemSize()}, before);
+  return before;
+}
+
+std::string write_state(std::uint64_t fingerprint, const std::vector<Laid>& laid) {
+  std::string out = fmt::format("{}\n{:016x}\n", kFirstLine, fingerprint);
+  for (const auto& [patch, p] : laid)
+    out += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", patch.target, patch.row, patch.column,
+                       patch.level, patch.box.x, patch.box.y, patch.box.width, patch.box.height, p.panel, p.rotation,
+                       p.at.x, p.at.y, p.cost, p.turn_deg, p.from.x, p.from.y,
+                       p.to.x, p.to.y);
+  return out;
+}
+
+std::optional<std::vector<Laid>> read_state(std::string_view text, std::uint64_t fingerprint,
+                                            const std::vector<Patch>& patches, const Params& params,
+                                            double mm_per_px) {
+  const auto lines = split(text, "\n");
+  if (lines.size() < 2 || lines[0] != kFirstLine || lines[1] != fmt::format("{:016x}", fingerprint))
+    return std::nullopt;
+  std::vector<Laid> laid;
+  std::vector<double> n;
+  for (std::size_t i = 2; i < lines.size(); ++i) {
+    if (!read_numbers(lines[i], n)) return std::nullopt;
+    const auto whole = [&](std::size_t k) { return static_cast<int>(n[k]); };
+    Patch wanted;
+    wanted.target = whole(0), wanted.row = whole(1), wanted.column = whole(2), wanted.level = whole(3);
+    wanted.box = {whole(4), whole(5), whole(6), whole(7)};
+    const auto patch = find(patches, wanted, params, mm_per_px);
+    if (!patch) return std::nullopt;
+    Placement placement;
+    placement.panel = whole(8), placement.rotation = whole(9), placement.at = {whole(10), whole(11)};
+    placement.cost = static_cast<std::int64_t>(n[12]), placement.turn_deg = n[13];
+    placement.from = {n[14], n[15]}, placement.to = {n[16], n[17]};
+    laid.push_back({*patch, placement});
+  }
+  return laid;
+}
+
+}  // namespace tessera::parquetry

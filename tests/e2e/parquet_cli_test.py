@@ -1,0 +1,214 @@
+"""Drives `tessera parquet` as its users do."""
+import csv
+import json
+import os
+import random
+import re
+import signal
+import struct
+import subprocess
+import time
+import unittest
+import xml.etree.ElementTree as xml
+import zlib
+
+from cli import PROGRAM, CliTest, chunk, png
+
+SVG = '{http://www.w3.org/2000/svg}'
+
+
+def wood(width, height, seed, dpi=None, base=140):
+    """A grey board with grain along x, that says its resolution."""
+    generator = random.Random(seed)
+    rows = [base + generator.randint(-50, 50) for _ in range(height)]
+    noise = [generator.randint(-9, 9) for _ in range(997)]
+    picture = png(width, height, lambda x, y: max(0, min(255, rows[y] + noise[(x * 7 + y * 131) % 997] + x * 60 // width)))
+    if dpi is None:
+        return picture
+    per_metre = round(dpi / 0.0254)
+    return picture[:33] + chunk(b'pHYs', struct.pack('>IIB', per_metre, per_metre, 1)) + picture[33:]
+
+
+def disc_png(size):
+    return png(size, size, lambda x, y: 40 if (x - size / 2) ** 2 + (y - size / 2) ** 2 < size * size / 9 else 210)
+
+
+SMALL = ['--image-size-mm', 60, '--patch-mm', 10, '--rotations', 3]
+
+
+class ParquetTest(CliTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.board, cls.second = wood(300, 240, 1, dpi=60), wood(200, 160, 2, base=90)
+        cls.target = disc_png(60)
+
+    def setUp(self):
+        super().setUp()
+        self.put('board.png', self.board)
+        self.put('second.png', self.second)
+        self.put('target.png', self.target)
+
+    def parquet(self, *arguments, **options):
+        return self.succeed('parquet', 'target.png', *SMALL, *arguments, **options)
+
+    def rows(self, folder='out'):
+        return list(csv.DictReader((self.folder / folder / 'pieces.csv').open()))
+
+    def report(self, folder='out'):
+        return json.loads(self.bytes_of(f'{folder}/report.json'))
+
+    def files(self, folder='out', but=('report.json',)):
+        return {p.name: p.read_bytes() for p in (self.folder / folder).iterdir() if p.name not in but}
+
+    def paths(self, file, layer):
+        root = xml.fromstring(self.bytes_of(file))
+        return {path.get('id'): path.get('d') for group in root.iter(f'{SVG}g') if group.get('id') == layer
+                for path in group.iter(f'{SVG}path')}
+
+    def test_a_folder_with_everything(self):
+        self.parquet('--panel', 'board.png,name=oak', '-o', 'out')
+        self.assertEqual(set(self.files()), {'job.json', 'pieces.csv', 'preview.png', 'assembly.svg', 'panel-oak.cut.svg',
+                                             'panel-oak.cut.dxf', 'panel-oak.preview.png'})
+        rows = self.rows()
+        self.assertEqual(list(rows[0]), 'id row column target panel x_mm y_mm rotation_deg area_mm2 min_width_mm cost '
+                                        'grain_deg'.split())
+        self.assertEqual(len(rows), 36)
+        ids = {row['id'] for row in rows}
+        self.assertEqual(len(ids), 36)
+        self.assertEqual(set(self.paths('out/panel-oak.cut.svg', 'cut')), {f'cut-{i}' for i in ids})
+        self.assertEqual(set(self.paths('out/panel-oak.cut.svg', 'engrave')), {f'label-{i}' for i in ids})
+        self.assertEqual(set(self.paths('out/assembly.svg', 'outlines')), {f'piece-{i}' for i in ids})
+        root = xml.fromstring(self.bytes_of('out/panel-oak.cut.svg'))
+        self.assertEqual(root.get('width'), '127mm')  # 300 px at 60 dpi
+        self.assertEqual(self.bytes_of('out/panel-oak.cut.dxf').count(b'AcDbPolyline'),
+                         36 + sum(d.count('M') for d in self.paths('out/panel-oak.cut.svg', 'engrave').values()))
+        report = self.report()
+        self.assertEqual(report['counts']['pieces'], 36)
+        self.assertEqual(report['counts']['missing'], 0)
+        self.assertGreater(report['metrics']['cost_per_px'], 0)
+        self.assertEqual({s['name'] for s in report['stages']} >= {'panels', 'features', 'matching'}, True)
+        self.assertEqual({os.path.basename(o['path']) for o in report['outputs']}, set(self.files()))
+        for path in self.paths('out/panel-oak.cut.svg', 'cut').values():
+            self.assertRegex(path, r'^M[^MZ]*Z$')
+
+    def test_the_same_bytes_again_by_job_and_by_svg(self):
+        self.parquet('--panel', 'board.png,name=oak', '--panel', 'second.png,dpi=60,name=fir', '-o', 'out', '--threads', 1)
+        self.assertEqual(json.loads(self.bytes_of('out/job.json'))['inputs'],
+                         {'target': 'target.png', 'panel-oak': 'board.png', 'panel-fir': 'second.png'})
+        self.assertLessEqual({row['panel'] for row in self.rows()}, {'oak', 'fir'})
+        for name in ('job.json', 'assembly.svg', 'panel-fir.cut.svg'):
+            self.succeed('run', f'out/{name}', '-o', 'again')
+            self.assertEqual(self.files('out'), self.files('again'))
+
+    def test_front_and_back_are_mirrored(self):
+        for side in ('front', 'back'):
+            self.parquet('--panel', 'board.png,name=oak', '--side', side, '-o', side)
+        self.assertEqual([{**row} for row in self.rows('front')], [{**row} for row in self.rows('back')])
+        numbers = lambda d: [float(v) for v in re.findall(r'-?[\d.]+', d)]
+        front, back = (self.paths(f'{side}/panel-oak.cut.svg', 'cut') for side in ('front', 'back'))
+        for name, path in front.items():
+            x, mirrored = numbers(path)[::2], numbers(back[name])[::2]
+            self.assertAlmostEqual(min(x), 127 - max(mirrored), delta=0.01)
+
+    def test_other_kinds_of_output(self):
+        self.parquet('--panel', 'board.png', '-o', 'a.svg', '-o', 'a.dxf', '-o', 'a.csv', '-o', 'a.json', '-o', 'a.png')
+        self.assertEqual(self.bytes_of('a.svg').count(b'<path '), 36)
+
+    def test_old_cut_files_go(self):
+        self.parquet('--panel', 'board.png,name=oak', '-o', 'out')
+        self.put('out/notes.txt', b'mine')
+        self.parquet('--panel', 'board.png,name=elm', '-o', 'out/')
+        self.assertIn('panel-elm.cut.svg', self.files())
+        self.assertNotIn('panel-oak.cut.svg', self.files())
+        self.assertIn('notes.txt', self.files())
+
+    def test_plan_needs_no_panel_and_forecast_makes_nothing(self):
+        before = self.names()
+        plan = self.parquet('--plan').stdout.decode()
+        self.assertIn('36 pieces in 6 rows of 6', plan)
+        self.assertIn('minutes at 20 mm/s', plan)
+        self.assertIn('suffices', self.parquet('--panel', 'board.png', '--forecast').stdout.decode())
+        poor = self.succeed('parquet', 'target.png', '--panel', 'board.png', '--forecast').stdout.decode()
+        self.assertIn('does not suffice', poor)
+        self.assertEqual(self.names(), before)
+
+    def test_too_little_wood_makes_what_it_can(self):
+        done = self.succeed('parquet', 'target.png', '--panel', 'second.png,dpi=60', '--image-size-mm', 120, '--rotations', 1,
+                            '-o', 'out')
+        self.assertRegex(done.stderr, rb'no wood is left for \d+ of 81 patches: .*cm2 more of .* wood would help')
+        counts = self.report()['counts']
+        self.assertGreater(counts['missing'], 0)
+        self.assertEqual(counts['missing'] + len(self.rows()), 81)
+
+    def test_an_unknown_resolution_is_guessed_aloud(self):
+        done = self.succeed('parquet', 'target.png', '--image-size-mm', 10, '--patch-mm', 5, '--panel', 'second.png,name=fir',
+                            '-o', 'out')
+        self.assertIn(b'fir', done.stderr)
+        self.assertIn(b'300 dpi', done.stderr)
+
+    def test_improving_is_kept_in_the_job(self):
+        self.parquet('--panel', 'board.png', '--improve', 1, '-o', 'out')
+        tries = json.loads(self.bytes_of('out/job.json'))['params']['improveTries']
+        self.assertGreater(tries, 0)
+        metrics = self.report()['metrics']
+        self.assertLessEqual(metrics['cost'], metrics['greedy_cost'])
+        self.succeed('run', 'out/job.json', '-o', 'again')
+        self.assertEqual(self.files('out'), self.files('again'))
+
+    def test_an_interrupted_run_goes_on(self):
+        flags = ['parquet', 'target.png', '--panel', 'board.png,name=oak', '--image-size-mm', 70, '--adaptive-levels', 1,
+                 '--min-width-mm', 2, '--progress', 'always', '--patch-mm', 5]
+        quiet = [*flags[:-4], '--patch-mm']
+        self.succeed(*flags, '-o', 'whole')
+        run = subprocess.Popen([PROGRAM, *map(str, flags), '-o', 'out'], cwd=self.folder, stderr=subprocess.PIPE)
+        seen = b''
+        while not re.search(rb' [1-9]\d% matching', seen):
+            seen += os.read(run.stderr.fileno(), 1000) or self.fail('it ended too early')
+        run.send_signal(signal.SIGINT)
+        seen += run.stderr.read()
+        run.stderr.close()
+        self.assertEqual(run.wait(), 130)
+        self.assertIn(b'out.checkpoint', seen)
+        self.assertFalse((self.folder / 'out').exists())
+        state = self.bytes_of('out.checkpoint')
+        self.assertGreater(state.count(b'\n'), 3)
+        self.fail_with(3, *quiet, 7, '-o', 'out', '--resume', says=['out.checkpoint', 'another job'])
+        self.put('out.checkpoint', state[:-40] + b'cheese\n')
+        self.fail_with(3, *quiet, 5, '-o', 'out', '--resume', says=['out.checkpoint'])
+        self.put('out.checkpoint', state)
+        self.succeed(*flags, '-o', 'out', '--resume')
+        self.assertEqual(self.files('out'), self.files('whole'))
+        self.assertFalse((self.folder / 'out.checkpoint').exists())
+
+    def test_masks_keep_pieces_off(self):
+        self.put('mask.png', png(300, 240, lambda x, y: 255 if x < 200 else 0))
+        self.parquet('--panel', 'board.png,mask=mask.png,name=oak', '--side', 'front', '-o', 'out')
+        for path in self.paths('out/panel-oak.cut.svg', 'cut').values():
+            self.assertLess(max(float(v) for v in re.findall(r'-?[\d.]+', path)[::2]), 200 * 25.4 / 60 - 1)
+
+    def test_what_is_wrong_is_said(self):
+        panel = ['--panel', 'board.png,name=oak']
+        self.fail_with(2, 'parquet', 'target.png', '-o', 'out', says=['panel', '--panel SCAN'])
+        self.fail_with(3, 'parquet', 'target.png', '--panel', 'missing.png', '-o', 'out', says=['missing.png'])
+        self.fail_with(2, 'parquet', 'target.png', '--panel', 'board.png,dpi=0', '-o', 'out', says=['dpi=0', 'board'])
+        self.fail_with(2, 'parquet', 'target.png', '--panel', 'board.png,name=a/b', '-o', 'out', says=['a/b'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, *panel, '-o', 'out', says=['second panel called oak'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--panels', 'elm dpi=300', '-o', 'out', says=['panels', 'elm'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--patch-mm', 3, '-o', 'out', says=['patchMm', 'minWidthMm'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--image-size-mm', 9000, '--patch-mm', 5, '-o', 'out',
+                       says=['imageSizeMm'])
+        self.put('mask.png', png(30, 90, lambda x, y: 255))
+        self.fail_with(3, 'parquet', 'target.png', '--panel', 'board.png,mask=mask.png', '-o', 'out', says=['board', '30 x 90'])
+        self.put('mask.png', png(300, 240, lambda x, y: 0))
+        self.fail_with(3, 'parquet', 'target.png', '--panel', 'board.png,mask=mask.png', '-o', 'out', says=['board', 'no wood'])
+        self.fail_with(3, 'parquet', 'target.png', '--panel', 'board.png,machine=1:1,50:1,50:50', '-o', 'out',
+                       says=['board', '0 round marks', '3'])
+        self.fail_with(4, 'parquet', 'target.png', *SMALL, *panel, '-o', 'no/such/out', says=['no/such/out'])
+        self.put('file', b'mine')
+        self.fail_with(4, 'parquet', 'target.png', *SMALL, *panel, '-o', 'file', says=['file'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '-o', '-', says=['-'])
+
+
+if __name__ == '__main__':
+    unittest.main()
