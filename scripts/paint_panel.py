@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Paints public/samples/panels/wood.png: a board of veneer to start a parquetry from, light sapwood to dark heartwood.
+"""Paints public/samples/panels/walnut.png: a board of veneer to start a parquetry from, light sapwood to dark heartwood.
 
 usage: python3 scripts/paint_panel.py [FILE]
 
@@ -46,7 +46,7 @@ def png(levels):
 
 def main():
     path = pathlib.Path(sys.argv[1] if len(sys.argv) > 1
-                        else pathlib.Path(__file__).parents[1] / 'public/samples/panels/wood.png')
+                        else pathlib.Path(__file__).parents[1] / 'public/samples/panels/walnut.png')
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(png([[round((COLOURS - 1) * darkness(x + 0.5, y + 0.5)) for x in range(WIDTH)] for y in range(HEIGHT)]))
 

@@ -15,8 +15,8 @@ function facts({ counts, metrics }: RunResult): string[] {
   return words;
 }
 
-/** Few pieces, so that the first visit sees them all within seconds. */
-const kSmall = { imageSizeMm: 100, patchMm: 8, rotations: 8 };
+/** Few pieces and pixels, so that the first visit sees them all within seconds. */
+const kSmall = { imageSizeMm: 100, patchMm: 8, rotations: 8, resolutionDpi: 75 };
 
 export const parquetry: TechniqueEntry = {
   name: 'parquetry',
@@ -28,7 +28,7 @@ export const parquetry: TechniqueEntry = {
   layers: ['source', 'outlines', 'stones'],
   shown: ['stones'],
   solid: false,
-  panels: [{ name: 'wood', file: 'wood.png' }],
+  panels: [{ name: 'walnut', file: 'walnut.png' }],
   pictureTitle: 'Target',
   samples: [
     { name: 'coast', title: 'Coast', file: 'coast.png', params: kSmall },

@@ -37,8 +37,10 @@ function CutLabel() {
   if (!cut) return null;
   return (
     <p class="piece-label">
-      <strong>{cut.id}</strong>
-      {`: row ${cut.row}, column ${cut.column}, cost ${number.format(cut.cost)}`}
+      <span>
+        <strong>{cut.id}</strong>
+        {`: row ${cut.row}, column ${cut.column}, cost ${number.format(cut.cost)}`}
+      </span>
     </p>
   );
 }
