@@ -52,12 +52,12 @@ const target = png(120, 100, 0, (x, y) => 3.4 * Math.hypot(x - 60, y - 50));
 /** Boards of 160 x 120 mm or so: light to dark, with grain along x. */
 const grain = (x, y, phase) => 120 + 90 * Math.sin(x / 70 + phase) + 30 * Math.sin(y / 3 + Math.sin(x / 40)) + ((x * 7 + y * 13) % 11);
 const oak = png(320, 240, 50, (x, y) => grain(x, y, 0));
-const walnut = png(320, 240, 50, (x, y) => grain(x, y, 2) - 40);
+const elm = png(320, 240, 50, (x, y) => grain(x, y, 2) - 40);
 
 /** The tab on small pictures of one's own; `use` gets them in a folder. */
 const withParquet = (options, use) =>
   inFolder(async (folder) => {
-    const files = { 'target.png': target, 'oak.png': oak, 'walnut.png': walnut };
+    const files = { 'target.png': target, 'oak.png': oak, 'elm.png': elm };
     for (const [name, bytes] of Object.entries(files)) writeFileSync(join(folder, name), bytes);
     const hash = '#technique=parquetry&imageSizeMm=60&patchMm=10&rotations=4';
     await withApp({ isolated: true, hash, ...options }, async (app, page) => {
@@ -83,7 +83,7 @@ async function change(app, act) {
 
 async function chooseAll(app, page, folder) {
   await change(app, () => chooseTarget(page, join(folder, 'target.png')));
-  await change(app, () => choosePanels(page, join(folder, 'oak.png'), join(folder, 'walnut.png')));
+  await change(app, () => choosePanels(page, join(folder, 'oak.png'), join(folder, 'elm.png')));
 }
 
 const unzip = ({ bytes }) => new Map(Object.entries(unzipSync(bytes)).map(([name, data]) => [name, Buffer.from(data)]));
@@ -102,14 +102,14 @@ for (const isolated of [true, false]) {
       assert.deepEqual(JSON.parse(job.text).inputs, {
         target: 'target.png',
         'panel-oak': 'oak.png',
-        'panel-walnut': 'walnut.png',
+        'panel-elm': 'elm.png',
       });
       const files = unzip(zip);
       writeFileSync(join(folder, 'job.json'), job.text);
       native('run', join(folder, 'job.json'), '-o', join(folder, 'out/'));
       const made = readdirSync(join(folder, 'out')).sort();
       assert.deepEqual([...files.keys()].sort(), made);
-      assert.ok(made.includes('panel-walnut.cut.dxf'), made.join());
+      assert.ok(made.includes('panel-elm.cut.dxf'), made.join());
       for (const name of made.filter((name) => /\.(csv|png|dxf)$/.test(name)))
         assert.ok(files.get(name).equals(readFileSync(join(folder, 'out', name))), `${name} differs`);
       for (const name of made.filter((name) => name.endsWith('.svg'))) {
@@ -185,8 +185,8 @@ test('panels have names, resolutions and masks; what was changed is undone', asy
       await page.getByLabel('Name of oak').press('Enter');
     });
     assert.ok('panel-my-oak' in JSON.parse((await app.download('job')).text).inputs);
-    await change(app, () => page.getByLabel('Resolution of walnut, dpi').fill('100'));
-    assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'walnut dpi=100');
+    await change(app, () => page.getByLabel('Resolution of elm, dpi').fill('100'));
+    assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
     // Wood on the left half only.
     writeFileSync(join(folder, 'half.png'), png(320, 240, 0, (x) => (x < 160 ? 255 : 0)));
     await change(app, () => page.getByLabel('Mask of my-oak').setInputFiles(join(folder, 'half.png')));
@@ -194,10 +194,10 @@ test('panels have names, resolutions and masks; what was changed is undone', asy
     const onOak = rows.filter((row) => row[4] === 'my-oak');
     assert.ok(onOak.length > 0);
     assert.ok(onOak.every((row) => Number(row[5]) < 81.3), 'cut where there is no wood');
-    await change(app, () => app.button('Remove walnut').click());
-    assert.equal(JSON.parse((await app.download('job')).text).inputs['panel-walnut'], undefined);
+    await change(app, () => app.button('Remove elm').click());
+    assert.equal(JSON.parse((await app.download('job')).text).inputs['panel-elm'], undefined);
     await change(app, () => app.button('Undo').click());
-    assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'walnut dpi=100');
+    assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
   });
 });
 
@@ -240,7 +240,7 @@ test('what is wrong is told, and everything stays', async () => {
     await page.getByText(/is less than minWidthMm/).first().waitFor();
     await change(app, () => app.set('Patch mm', 12));
     await app.button('Remove oak').click();
-    await app.button('Remove walnut').click();
+    await app.button('Remove elm').click();
     await page.getByRole('alert').getByText('A panel of wood is missing').waitFor();
     await change(app, () => app.button('Undo').click());
   });
@@ -259,7 +259,7 @@ test('a job is opened again', async () => {
     await page.reload();
     await app.finished();
     await app.openJob(join(folder, 'job.json'));
-    await page.getByRole('alert').getByText(/“oak.png” and “walnut.png”/).waitFor();
+    await page.getByRole('alert').getByText(/“oak.png” and “elm.png”/).waitFor();
   });
 });
 
