@@ -259,7 +259,7 @@ test('a job is opened again', async () => {
     await page.reload();
     await app.finished();
     await app.openJob(join(folder, 'job.json'));
-    await page.getByRole('alert').getByText(/“oak.png” and “elm.png”/).waitFor();
+    await page.getByRole('alert').getByText(/“elm.png” and “oak.png”/).waitFor();
   });
 });
 
