@@ -23,8 +23,8 @@ struct RunContext {
   // Something noteworthy that is no error, one line.
   std::function<void(std::string_view message)> on_warning;
 
-  // Of techniques that run for long. They offer their state again and again, and once more when they are stopped; a run
-  // that is handed it as `earlier` ends as if it had not been stopped. `state` may be called during the offer.
+  // Of techniques that run for long. They offer their state again and again, and once more when they are stopped; a
+  // run that is handed it as `earlier` ends as if it had not been stopped. `state` may be called during the offer.
   std::function<void(const std::function<std::string()>& state)> on_state;
   std::string_view earlier;
   // Whether to go on making the result better. Empty: as often as the job says.

@@ -244,10 +244,10 @@ void append_viewport_table(Tags tags, const Frame& frame) {
   append_table(tags, "VPORT", kViewports, 1);
   append_record(tags, "VPORT", kActiveViewport, kViewports, "AcDbViewportTableRecord", "*ACTIVE").integer(70, 0);
   const double width = frame.right - frame.left, height = frame.top - frame.bottom;
-  tags.point(10, 0, 0).point(11, 1, 1);                                    // corners on the screen
-  tags.point(12, frame.left + width / 2, frame.bottom + height / 2);       // its centre
-  tags.point(13, 0, 0).point(14, 10, 10).point(15, 10, 10);  // snap and grid
-  tags.point(16, 0, 0).number(36, 1);                        // seen from above
+  tags.point(10, 0, 0).point(11, 1, 1);                               // corners on the screen
+  tags.point(12, frame.left + width / 2, frame.bottom + height / 2);  // its centre
+  tags.point(13, 0, 0).point(14, 10, 10).point(15, 10, 10);           // snap and grid
+  tags.point(16, 0, 0).number(36, 1);                                 // seen from above
   tags.point(17, 0, 0).number(37, 0);
   tags.number(40, height * 1.05).number(41, std::max(0.1, width / height));
   tags.text(0, "ENDTAB");

@@ -24,8 +24,8 @@ std::string write_svg(const PieceSheet& sheet);
 // DXF R2000, one closed LWPOLYLINE a ring, a layer a colour, millimetres, y up. Without width_mm 1 px is 1 mm. A
 // layer has the nearest of AutoCAD's 255 colours, its name the true one; more than 255 colours are merged into those.
 std::string write_dxf(const PieceSheet& sheet);
-// A drawing as SVG 1.1, width and height in mm as the viewBox is: an Inkscape layer a layer, one <path> a stroke; and as
-// DXF R2000, one LWPOLYLINE a line, y up, both within the same frame.
+// A drawing as SVG 1.1, width and height in mm as the viewBox is: an Inkscape layer a layer, one <path> a stroke; and
+// as DXF R2000, one LWPOLYLINE a line, y up, both within the same frame.
 std::string write_svg(const Drawing& drawing);
 std::string write_dxf(const Drawing& drawing);
 // GeoJSON FeatureCollection, one Feature a piece, coordinates in source pixels (y down). The bbox is the sheet. Of a

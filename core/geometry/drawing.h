@@ -28,8 +28,8 @@ struct Page {
   double left = 0, top = 0, width = 0, height = 0;
 };
 
-// x right, y down. A valid one has a width and height above 0, finite coordinates below 1e9, unique ids that are plain
-// words, lines of two points and more, closed ones of three.
+// x right, y down. A valid one has a width and height above 0, finite coordinates below 1e9, unique ids that are
+// plain words, lines of two points and more, closed ones of three.
 struct Drawing {
   double left = 0, top = 0, width = 0, height = 0;
   std::vector<DrawingLayer> layers;  // the first lies undermost and is worked first

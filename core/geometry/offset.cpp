@@ -19,8 +19,9 @@ void append_ring(const Ring& ring, BoostPolygon::ring_type& to) {
   if (!ring.empty()) to.emplace_back(ring.front().x, ring.front().y);
 }
 
-// Boost closes its rings, and turns them the other way than our screen does. Where it has joined parts it leaves vertices
-// that are no corners; they go if they are no farther from the line between their neighbours than `tolerance`.
+// Boost closes its rings, and turns them the other way than our screen does. Where it has joined parts it leaves
+// vertices that are no corners; they go if they are no farther from the line between their neighbours than
+// `tolerance`.
 Ring ring_of(const BoostPolygon::ring_type& from, double tolerance) {
   Ring ring;
   for (std::size_t i = from.size(); i-- > 1;) ring.push_back({from[i].x(), from[i].y()});
@@ -28,7 +29,8 @@ Ring ring_of(const BoostPolygon::ring_type& from, double tolerance) {
     const Point a = ring[i > 0 ? i - 1 : ring.size() - 1], b = ring[i + 1 < ring.size() ? i + 1 : 0];
     const double side = length(b - a);
     return length(ring[i] - a) > tolerance &&
-           (side < tolerance || std::abs(cross(b - a, ring[i] - a)) > tolerance * side || dot(b - a, ring[i] - a) < 0);
+           (side < tolerance || std::abs(cross(b - a, ring[i] - a)) > tolerance * side ||
+            dot(b - a, ring[i] - a) < 0);
   };
   for (std::size_t i = ring.size(); i-- > 0 && ring.size() > 3;)
     if (!is_corner(i)) ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));

@@ -70,13 +70,13 @@ struct Outcome {
   PieceSheet sheet;  // with the job in it
   Scene scene{};     // with the job in it; of techniques whose pieces are solid
   std::map<std::string, std::function<Raster()>> rasters{};  // pictures besides the sheet's, by format ("labels.png")
-  std::function<std::vector<Artifact>()> folder{};  // what "folder" and "zip" hold, by the files' names
+  std::function<std::vector<Artifact>()> folder{};           // what "folder" and "zip" hold, by the files' names
   std::function<void(Raster&)> finish{};       // of the sheet's picture, where that is more than its pieces
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
   std::vector<Plot> plots;
   std::optional<Job> done{};  // makes the same again, where the job that was run may not
-  Frames frames = {};  // of the iterations, where they were recorded
+  Frames frames = {};         // of the iterations, where they were recorded
 };
 
 struct JobResult {

@@ -149,7 +149,8 @@ class JobReader {
     }
     for (const auto& [role, value] : inputs.items()) {
       if (!role_of(technique, role)) {
-        complain(shown_key(role), fmt::format("is no input of {}, expected {}", technique.name, role_names(technique)));
+        complain(shown_key(role),
+                 fmt::format("is no input of {}, expected {}", technique.name, role_names(technique)));
       } else if (!value.is_string()) {
         complain(role, fmt::format("is {}, expected the path of a picture", shown(value)));
       } else {

@@ -51,9 +51,9 @@ std::vector<Artifact> parquet_folder(const Parquetry& made) {
     const std::string number = made.targets > 1 ? fmt::format("-{}", target) : std::string();
     files.push_back({"preview" + number + ".png", kPng,
                      write_png(parquetry::finished_preview(made.panels, made.pieces, target, made.size))});
-    files.push_back({"assembly" + number + ".svg", kSvg,
-                     write_svg(drawn(parquetry::assembly(made.pieces, target, made.size, made.mm_per_px(),
-                                                         made.params)))});
+    files.push_back(
+        {"assembly" + number + ".svg", kSvg,
+         write_svg(drawn(parquetry::assembly(made.pieces, target, made.size, made.mm_per_px(), made.params)))});
   }
   for (std::size_t i = 0; i < made.panels.size(); ++i) {
     const std::string stem = "panel-" + made.panels[i].name;

@@ -73,8 +73,8 @@ PieceSheet sheet_of(const Parquetry& made) {
   sheet.width_mm = made.size.width * made.mm_per_px();
   for (const CutPiece& piece : made.pieces)
     if (piece.target == 1)
-      sheet.pieces.push_back({static_cast<int>(sheet.pieces.size()) + 1, piece.finished,
-                              mean_colour(made.panels[piece.panel], piece)});
+      sheet.pieces.push_back(
+          {static_cast<int>(sheet.pieces.size()) + 1, piece.finished, mean_colour(made.panels[piece.panel], piece)});
   return sheet;
 }
 
@@ -116,10 +116,12 @@ Result<void> check_size(const ImageView& target, const Params& params, double mm
   const double area_mm2 = params.image_size_mm * params.image_size_mm * longer / shorter;
   const double patches = area_mm2 / (params.patch_mm * params.patch_mm), pixels = area_mm2 / (mm_per_px * mm_per_px);
   if (patches > kMostPatches || pixels > kMostPixels)
-    return fail(StatusCode::kInvalidParameter, "imageSizeMm",
-                fmt::format("makes a piece of {:.0f} x {:.0f} mm of {:.0f} patches and {:.0f} Mpx, expected at most {} and {} Mpx",
-                            params.image_size_mm, params.image_size_mm * longer / shorter, patches, pixels / 1e6,
-                            kMostPatches, kMostPixels / 1e6));
+    return fail(
+        StatusCode::kInvalidParameter, "imageSizeMm",
+        fmt::format(
+            "makes a piece of {:.0f} x {:.0f} mm of {:.0f} patches and {:.0f} Mpx, expected at most {} and {} Mpx",
+            params.image_size_mm, params.image_size_mm * longer / shorter, patches, pixels / 1e6, kMostPatches,
+            kMostPixels / 1e6));
   return {};
 }
 
@@ -143,9 +145,10 @@ Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels
   const auto& params = std::get<Params>(job.params);
   const std::uint64_t fingerprint = fingerprint_of(job, request, panels);
   if (!context.earlier.empty()) {
-    auto earlier = parquetry::read_state(context.earlier, fingerprint, request.patches, params,
-                                         panels.front().mm_per_px);
-    if (!earlier) return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
+    auto earlier =
+        parquetry::read_state(context.earlier, fingerprint, request.patches, params, panels.front().mm_per_px);
+    if (!earlier)
+      return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
     request.earlier = *std::move(earlier);
   }
   if (context.go_on_improving || params.improve_tries > 0)
@@ -187,8 +190,8 @@ void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, cons
   }
   if (missing == 0) return;
   if (missing > kNamed) named += fmt::format(" and {} more", missing - kNamed);
-  context.warn(fmt::format("no wood is left for {} of {} patches: {}; some {:.0f} cm2 more of {} wood would help", missing,
-                           output.patches.size(), named, std::ceil(area / 100),
+  context.warn(fmt::format("no wood is left for {} of {} patches: {}; some {:.0f} cm2 more of {} wood would help",
+                           missing, output.patches.size(), named, std::ceil(area / 100),
                            parquetry::tone_name(static_cast<int>(light / pixels))));
 }
 
@@ -203,7 +206,8 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   if (!panels) return tl::unexpected<Status>(std::move(panels.error()));
   const double mm_per_px = panels->front().mm_per_px;
   const ImageView& picture = pictures.at("target");
-  if (auto good = check_size(picture, params, mm_per_px); !good) return tl::unexpected<Status>(std::move(good.error()));
+  if (auto good = check_size(picture, params, mm_per_px); !good)
+    return tl::unexpected<Status>(std::move(good.error()));
   parquetry::Request request;
   request.targets = {parquetry::at_resolution(picture.mat(), params, mm_per_px)};
   request.patches = parquetry::grid_patches(request.targets.front().size(), params, mm_per_px);
@@ -244,7 +248,8 @@ std::vector<Question> parquet_questions() {
       return tl::unexpected<Status>(std::move(good.error()));
     return describe(parquetry::plan_of({target.width, target.height}, params), params);
   };
-  const auto forecast = [](const Job& job, const Pictures& pictures, const RunContext& context) -> Result<std::string> {
+  const auto forecast = [](const Job& job, const Pictures& pictures,
+                           const RunContext& context) -> Result<std::string> {
     const auto& params = std::get<Params>(job.params);
     if (scans_of(pictures).empty()) return fail(StatusCode::kInvalidInput, "panel", "is missing, expected a picture");
     if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));

@@ -196,7 +196,8 @@ tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictur
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   auto artifacts = write_artifacts(job, *outcome, request, part_of(context, kTechniqueShare, 1));
   if (!artifacts) return tl::unexpected<Problems>(std::move(artifacts.error()));
-  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics), *std::move(outcome->done)};
+  return JobResult{*std::move(artifacts), std::move(outcome->counts), std::move(outcome->metrics),
+                   *std::move(outcome->done)};
 }
 
 }  // namespace tessera

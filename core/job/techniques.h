@@ -21,10 +21,11 @@ struct InputRole {
 
 // Something that can be asked of a job before it is run: `tessera parquet --plan`.
 struct Question {
-  std::string_view name;  // "plan"
-  std::string_view help;  // one line
+  std::string_view name;                 // "plan"
+  std::string_view help;                 // one line
   std::vector<std::string_view> inputs;  // the roles that it looks at; others need not be there
-  Result<std::string> (*answer)(const Job& job, const Pictures& pictures, const RunContext& context);  // lines of text
+  Result<std::string> (*answer)(const Job& job, const Pictures& pictures,
+                                const RunContext& context);  // lines of text
 };
 
 using TechniqueRun = Result<Outcome>(const Job& job, const Pictures& pictures, Rasterizer& rasterizer,
@@ -39,8 +40,8 @@ struct Technique {
   TechniqueParams defaults;
   std::string_view subject{};  // the parameter that the command line takes in the place of a picture
   std::vector<Question> questions{};
-  bool long_running = false;   // may be stopped and go on, and improve its result (RunContext)
-  TechniqueRun* run;           // pictures hold every required role, the parameters are valid
+  bool long_running = false;  // may be stopped and go on, and improve its result (RunContext)
+  TechniqueRun* run;          // pictures hold every required role, the parameters are valid
 };
 
 // In the order of TechniqueParams' alternatives.

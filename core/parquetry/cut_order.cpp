@@ -18,7 +18,8 @@ void uncross(const std::vector<Point>& places, std::vector<std::size_t>& tour) {
       for (std::size_t k = i + 1; k < tour.size(); ++k) {
         const double after = k + 1 < tour.size() ? way(k, k + 1) - way(i, k + 1) : 0;
         if (way(i - 1, i) - way(i - 1, k) + after <= kWorth) continue;
-        std::reverse(tour.begin() + static_cast<std::ptrdiff_t>(i), tour.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        std::reverse(tour.begin() + static_cast<std::ptrdiff_t>(i),
+                     tour.begin() + static_cast<std::ptrdiff_t>(k) + 1);
         better = true;
       }
   }

@@ -39,7 +39,8 @@ Ring circle(Point centre, double radius) {
   return ring;
 }
 
-// The panel's sheet, as it lies.
+// The panel's sheet; on a machine it begins at the machine's origin, since programs tend to ignore where a drawing
+// begins.
 void set_frame(const Panel& panel, Side side, Drawing& drawing) {
   const double w = panel.scan.cols, h = panel.scan.rows;
   Point low = on_sheet(panel, side, {0, 0}), high = low;
@@ -48,6 +49,7 @@ void set_frame(const Panel& panel, Side side, Drawing& drawing) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  if (panel.registered) low = {std::min(low.x, 0.0), std::min(low.y, 0.0)};
   drawing.left = low.x, drawing.top = low.y;
   drawing.width = high.x - low.x, drawing.height = high.y - low.y;
 }
@@ -103,9 +105,7 @@ Drawing assembly(const std::vector<CutPiece>& pieces, int target, cv::Size size,
   drawing.width = size.width * mm_per_px;
   drawing.height = size.height * mm_per_px;
   const bool mirrored = params.side == Side::kBack;
-  const auto seen = [&](Point px) {
-    return mm_per_px * (mirrored ? Point{size.width - px.x, px.y} : px);
-  };
+  const auto seen = [&](Point px) { return mm_per_px * (mirrored ? Point{size.width - px.x, px.y} : px); };
   DrawingLayer outlines{"outlines", kOutline, 0.2, {}}, labels{"labels", kLabel, 0.2, {}};
   for (const CutPiece& piece : pieces) {
     if (piece.target != target) continue;

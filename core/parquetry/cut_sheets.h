@@ -11,14 +11,14 @@
 namespace tessera::parquetry {
 
 struct CutSheet {
-  Drawing drawing;      // layers engrave, fiducials, cut; strokes label-<id>, mark-<n>, cut-<id>
-  double cut_mm = 0;    // the cuts' length
+  Drawing drawing;       // layers engrave, fiducials, cut; strokes label-<id>, mark-<n>, cut-<id>
+  double cut_mm = 0;     // the cuts' length
   double travel_mm = 0;  // between them
 };
 
-// What is cut from a panel, in the panel's true size: outlines moved outwards by half the kerf, holes before the outline
-// around them, labels inside; seen from the side that the cutter sees, on the machine where the panel has been laid on
-// it. `panel` is an index in the list of panels.
+// What is cut from a panel, in the panel's true size: outlines moved outwards by half the kerf, holes before the
+// outline around them, labels inside; seen from the side that the cutter sees, on the machine where the panel has
+// been laid on it. `panel` is an index in the list of panels.
 CutSheet cut_sheet(const std::vector<Panel>& panels, std::size_t panel, const std::vector<CutPiece>& pieces,
                    const Params& params);
 

@@ -98,9 +98,8 @@ std::vector<Marker> find_markers(const cv::Mat3b& rgb, double mm_per_px) {
   }
   std::vector<Marker> markers = alike(std::move(found));
   if (markers.size() < kFewest) return {};
-  std::sort(markers.begin(), markers.end(), [](const Marker& a, const Marker& b) {
-    return a.at.y != b.at.y ? a.at.y < b.at.y : a.at.x < b.at.x;
-  });
+  std::sort(markers.begin(), markers.end(),
+            [](const Marker& a, const Marker& b) { return a.at.y != b.at.y ? a.at.y < b.at.y : a.at.x < b.at.x; });
   return markers;
 }
 

@@ -19,10 +19,10 @@ struct Panel {
   double mm_per_px = 0;  // > 0
 
   // Beside the wood; matching does not look at them.
-  std::vector<Point> fiducials{};  // middles of its markers, px
-  double fiducial_mm = 0;          // their diameter
-  bool registered = false;         // the next two are known
-  Affine to_machine{};             // from where the cutter sees the panel, mm (mirrored where that is the back)
+  std::vector<Point> fiducials{};   // middles of its markers, px
+  double fiducial_mm = 0;           // their diameter
+  bool registered = false;          // the next two are known
+  Affine to_machine{};              // from where the cutter sees the panel, mm (mirrored where that is the back)
   std::vector<double> residuals{};  // mm, of each mark on the machine
 
   double width_mm() const { return scan.cols * mm_per_px; }

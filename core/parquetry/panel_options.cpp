@@ -57,8 +57,7 @@ bool is_panel_name(std::string_view name) {
   return !name.empty() && name.size() <= kLongest && std::all_of(name.begin(), name.end(), is_plain);
 }
 
-std::vector<PanelOptions> read_panel_options(std::string_view text,
-                                             const std::function<void(std::string)>& report) {
+std::vector<PanelOptions> read_panel_options(std::string_view text, const std::function<void(std::string)>& report) {
   std::vector<PanelOptions> all;
   const auto complain = [&](std::string message) {
     if (report) report(std::move(message));

@@ -38,9 +38,10 @@ double dpi_of(const Scan& scan, const PanelOptions& options, const RunContext& c
     context.warn(fmt::format("{}: the scan tells no resolution; taken as {} dpi, it is {} (expected dpi=N)",
                              scan.name, kUnknownDpi, size()));
   else if (std::any_of(std::begin(kScreens), std::end(kScreens), [&](double d) { return std::abs(dpi - d) < 0.5; }))
-    context.warn(fmt::format("{}: the scan tells {:.4g} dpi, which is rarely true; it is taken as {} (dpi=N changes "
-                             "that)",
-                             scan.name, dpi, size()));
+    context.warn(
+        fmt::format("{}: the scan tells {:.4g} dpi, which is rarely true; it is taken as {} (dpi=N changes "
+                    "that)",
+                    scan.name, dpi, size()));
   return dpi;
 }
 
@@ -141,10 +142,12 @@ Result<void> lay_on_machine(const Source& source, const Params& params, Panel& p
   else if (seen.size() >= machine.size())
     fitted = fit_unordered(seen, machine, params.registration);
   else
-    return refuse(source, fmt::format("shows {} round marks, expected the {} that lie on the machine (or marks=x:y,...)",
-                                      seen.size(), machine.size()));
+    return refuse(source,
+                  fmt::format("shows {} round marks, expected the {} that lie on the machine (or marks=x:y,...)",
+                              seen.size(), machine.size()));
   if (!fitted)
-    return refuse(source, "has no marks as far apart as those on the machine, expected the same ones (and the same dpi)");
+    return refuse(source,
+                  "has no marks as far apart as those on the machine, expected the same ones (and the same dpi)");
   if (auto good = check_fit(*fitted, source.scan.name); !good) return good;
   panel.registered = true;
   panel.to_machine = fitted->map;

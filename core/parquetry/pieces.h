@@ -10,18 +10,18 @@
 namespace tessera::parquetry {
 
 struct CutPiece {
-  std::string id;             // "C12": column C, row 12; a quarter "C12b"; of several targets "2-C12"
-  int row = 0, column = 0;    // counted from 1
-  int target = 0;             // counted from 1
-  std::size_t panel = 0;      // index in the list of panels
-  Polygon on_panel{};         // px of the panel, front, without kerf
-  Polygon finished{};         // px of the target
-  Point centroid_mm{};        // of on_panel
-  double turn_deg = 0;        // clockwise from the panel to the finished piece
+  std::string id;           // "C12": column C, row 12; a quarter "C12b"; of several targets "2-C12"
+  int row = 0, column = 0;  // counted from 1
+  int target = 0;           // counted from 1
+  std::size_t panel = 0;    // index in the list of panels
+  Polygon on_panel{};       // px of the panel, front, without kerf
+  Polygon finished{};       // px of the target
+  Point centroid_mm{};      // of on_panel
+  double turn_deg = 0;      // clockwise from the panel to the finished piece
   double area_mm2 = 0;
-  double min_width_mm = 0;    // diameter of its roomiest place
+  double min_width_mm = 0;  // diameter of its roomiest place
   std::int64_t cost = 0;
-  double grain_deg = 0;       // of the finished piece's grain, from x towards y, [0, 180)
+  double grain_deg = 0;  // of the finished piece's grain, from x towards y, [0, 180)
 };
 
 // "A", "Z", "AA" of a column counted from 0.

@@ -114,8 +114,7 @@ std::string describe(const Forecast& forecast, const std::vector<Panel>& panels,
   for (const ToneSupply& tone : forecast.tones) {
     text += fmt::format("{}: needs {:.0f} cm2, there are {:.0f} cm2\n", tone.name, tone.needed_mm2 / 100,
                         tone.free_mm2 / 100);
-    if (!scarcest ||
-        shortage(tone.needed_mm2, tone.free_mm2) > shortage(scarcest->needed_mm2, scarcest->free_mm2))
+    if (!scarcest || shortage(tone.needed_mm2, tone.free_mm2) > shortage(scarcest->needed_mm2, scarcest->free_mm2))
       scarcest = &tone;
   }
   const double all = shortage(forecast.plan.taken_mm2, forecast.free());

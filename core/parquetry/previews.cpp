@@ -49,8 +49,7 @@ Raster finished_preview(const std::vector<Panel>& panels, const std::vector<CutP
     each_run(piece.finished.outer, size.width, size.height, [&](int y, int begin, int end) {
       for (int x = begin; x < end; ++x) {
         const Point p = Point{x + 0.5, y + 0.5} - from;
-        picture(y, x) =
-            sample(scan, to + Point{turn.cos * p.x + turn.sin * p.y, turn.cos * p.y - turn.sin * p.x});
+        picture(y, x) = sample(scan, to + Point{turn.cos * p.x + turn.sin * p.y, turn.cos * p.y - turn.sin * p.x});
       }
     });
   }
@@ -63,8 +62,7 @@ Raster panel_preview(const std::vector<Panel>& panels, std::size_t panel, const 
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x)
       if (!wood.mask(y, x))
-        for (int c = 0; c < 3; ++c)
-          picture(y, x)[c] = static_cast<std::uint8_t>((picture(y, x)[c] + 2 * 255) / 3);
+        for (int c = 0; c < 3; ++c) picture(y, x)[c] = static_cast<std::uint8_t>((picture(y, x)[c] + 2 * 255) / 3);
   constexpr int kShift = 4;  // 16ths of a pixel
   for (const CutPiece& piece : pieces) {
     if (piece.panel != panel) continue;

@@ -86,8 +86,7 @@ std::optional<Fitted> fit_unordered(const std::vector<Point>& from, const std::v
       for (std::size_t m = 1; m < to.size(); ++m) {
         const double apart = length(to[m] - to[0]);
         if (a == b || std::abs(length(b - a) - apart) > kResized * apart) continue;
-        const std::vector<Point> partners =
-            partners_of(fit({a, b}, {to[0], to[m]}, Registration::kSimilarity).map);
+        const std::vector<Point> partners = partners_of(fit({a, b}, {to[0], to[m]}, Registration::kSimilarity).map);
         if (repeats(partners)) continue;
         const Fitted fitted = fit(partners, to, kind);
         const double turn = std::abs(fitted.map.yx) + std::max(0.0, -fitted.map.xx);

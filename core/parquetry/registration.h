@@ -26,8 +26,8 @@ struct Fitted {
   double rms = 0;                 // of the residuals
 };
 
-// The map that takes `from` to `to` with the least sum of squared residuals: turned, shifted and resized evenly, or any
-// affine one. Two pairs at least, as many of one as of the other.
+// The map that takes `from` to `to` with the least sum of squared residuals: turned, shifted and resized evenly, or
+// any affine one. Two pairs at least, as many of one as of the other.
 Fitted fit(const std::vector<Point>& from, const std::vector<Point>& to, Registration kind);
 
 // The same of places whose order is not known: each of `to` has the nearest of `from` under the map, which turns them

@@ -50,10 +50,9 @@ std::uint64_t fingerprint_of(const cv::Mat& pixels, std::uint64_t before) {
 std::string write_state(std::uint64_t fingerprint, const std::vector<Laid>& laid) {
   std::string out = fmt::format("{}\n{:016x}\n", kFirstLine, fingerprint);
   for (const auto& [patch, p] : laid)
-    out += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", patch.target, patch.row, patch.column,
-                       patch.level, patch.box.x, patch.box.y, patch.box.width, patch.box.height, p.panel, p.rotation,
-                       p.at.x, p.at.y, p.cost, p.turn_deg, p.from.x, p.from.y,
-                       p.to.x, p.to.y);
+    out += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", patch.target, patch.row,
+                       patch.column, patch.level, patch.box.x, patch.box.y, patch.box.width, patch.box.height,
+                       p.panel, p.rotation, p.at.x, p.at.y, p.cost, p.turn_deg, p.from.x, p.from.y, p.to.x, p.to.y);
   return out;
 }
 

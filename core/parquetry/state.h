@@ -14,8 +14,8 @@ namespace tessera::parquetry {
 // What was laid, as text. `fingerprint` tells requests apart.
 std::string write_state(std::uint64_t fingerprint, const std::vector<Laid>& laid);
 
-// The same of patches that are among `patches` or quarters of these. Nothing where the text is no state, one of another
-// fingerprint, or names a patch that is not there.
+// The same of patches that are among `patches` or quarters of these. Nothing where the text is no state, one of
+// another fingerprint, or names a patch that is not there.
 std::optional<std::vector<Laid>> read_state(std::string_view text, std::uint64_t fingerprint,
                                             const std::vector<Patch>& patches, const Params& params,
                                             double mm_per_px);

@@ -16,8 +16,8 @@ constexpr double kBorderShare = 0.1;  // of the scan's border that a lid covers 
 
 // Means and deviations of a scan over windows.
 struct Evenness {
-  int window;          // px, odd
-  cv::Mat3b mean;      // a channel
+  int window;           // px, odd
+  cv::Mat3b mean;       // a channel
   cv::Mat1b deviation;  // of brightness, rounded up
 };
 
@@ -115,7 +115,8 @@ cv::Mat1b find_lid(const Evenness& even, int noise, double mm_per_px) {
       if (label > 0 && on_border[static_cast<std::size_t>(label)] > 0.01 * border) lid(y, x) = 255;
     }
   for (int label = 1; label < places.count; ++label)
-    if (on_border[static_cast<std::size_t>(label)] > 0.01 * border) covered += on_border[static_cast<std::size_t>(label)];
+    if (on_border[static_cast<std::size_t>(label)] > 0.01 * border)
+      covered += on_border[static_cast<std::size_t>(label)];
   const bool enough = covered >= kBorderShare * border;
   const int most_tenths = 10 + 5 * noise;
   return enough && unevenness(even.mean, lid, mm_per_px) <= most_tenths ? lid : cv::Mat1b();

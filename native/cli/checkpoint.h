@@ -27,8 +27,8 @@ class Checkpoint {
 
   // Takes an earlier run's state from the file; none where there is no such file.
   Result<void> read();
-  // Writes the state every ten seconds, and once the run has been told to stop. A file that cannot be written is no reason
-  // to stop.
+  // Writes the state every ten seconds, and once the run has been told to stop. A file that cannot be written is no
+  // reason to stop.
   void offer(const std::function<std::string()>& state);
 
  private:

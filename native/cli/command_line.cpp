@@ -120,7 +120,8 @@ class TechniqueCommand {
           ->group("Inputs");
     }
     for (const Question& question : technique.questions)
-      app_.add_flag("--" + std::string(question.name), asked_[question.name], std::string(question.help))->group("Run");
+      app_.add_flag("--" + std::string(question.name), asked_[question.name], std::string(question.help))
+          ->group("Run");
     if (!technique.subject.empty()) {
       app_.add_option(upper(technique.subject), subject_, "What to make; --list names them")->type_name("NAME");
       app_.add_flag("--list", list_, "Print the names and what they are")->group("Run");

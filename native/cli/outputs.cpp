@@ -36,7 +36,8 @@ std::string kind_of(const OutputFile& output, const Settings& settings, const Te
   if (!output.format.empty()) return output.format;
   const std::string extension = extension_of(output.path, technique);
   const bool is_kind = contains(technique.formats, extension);
-  if (contains(technique.formats, "folder") && !is_kind && output.path != "-" && settings.format.empty()) return "folder";
+  if (contains(technique.formats, "folder") && !is_kind && output.path != "-" && settings.format.empty())
+    return "folder";
   return extension.empty() ? settings.format : extension;
 }
 

@@ -24,11 +24,12 @@ struct WrittenFile {
 // Where the report goes: where the settings say, and into each folder. `formats` are those of plan_formats().
 std::vector<std::string> report_paths(const Settings& settings, const std::vector<std::string>& formats);
 
-// Where a run whose first output is a folder keeps what it has done so far: beside that, FOLDER.checkpoint. Empty: nowhere.
+// Where a run whose first output is a folder keeps what it has done so far: beside that, FOLDER.checkpoint. Empty:
+// nowhere.
 std::string checkpoint_path(const Settings& settings, const std::vector<std::string>& formats);
 
-// Hands everything but the report to `files`, in the order: outputs, plots, job. Cut files that an earlier run has left
-// in a folder go.
+// Hands everything but the report to `files`, in the order: outputs, plots, job. Cut files that an earlier run has
+// left in a folder go.
 Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const std::vector<std::string>& formats,
                                                const Job& job, const JobResult& result, AtomicFiles& files);
 

@@ -60,7 +60,8 @@ void take_panels(const std::vector<std::string>& given, Job& job, std::string& o
     const auto parts = taken_apart(text);
     for (const auto& [word, value] : parts) {
       if (word == "name") {
-        if (!parquetry::is_panel_name(value)) refuse(text, "has the name " + shown(value) + ", expected letters, digits, - and _");
+        if (!parquetry::is_panel_name(value))
+          refuse(text, "has the name " + shown(value) + ", expected letters, digits, - and _");
         name = value;
       } else if (word == "mask") {
         mask = value;
@@ -71,7 +72,8 @@ void take_panels(const std::vector<std::string>& given, Job& job, std::string& o
     const std::string& scan = parts.front().second;
     if (scan.empty()) refuse(text, "names no scan, expected SCAN[,mask=M.png,dpi=300,name=oak]");
     if (name.empty()) name = name_of_file(scan, job);
-    if (!job.inputs.emplace("panel-" + name, scan).second) refuse(text, "is a second panel called " + name + ", expected a name of its own");
+    if (!job.inputs.emplace("panel-" + name, scan).second)
+      refuse(text, "is a second panel called " + name + ", expected a name of its own");
     if (!mask.empty()) job.inputs["mask-" + name] = mask;
     if (!rest.empty()) options += (options.empty() ? "" : "; ") + name + rest;
   }

@@ -1,6 +1,7 @@
 #include "tessera/cli/run_command.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "tessera/cli/backend.h"
@@ -43,7 +44,8 @@ class Run {
     auto backend = make_backend(settings_.backend);
     if (!backend) return problem(std::move(backend.error()));
     auto result = compute(*inputs, request, *backend);
-    if (!result && result.error().front().field.empty() && stop_reason() == StopReason::kNone && !checkpoint_.earlier().empty())
+    if (!result && result.error().front().field.empty() && stop_reason() == StopReason::kNone &&
+        !checkpoint_.earlier().empty())
       result.error().front().field = checkpoint_.path();
     if (!result) return tl::unexpected<Problems>(std::move(result.error()));
     begin("write");
@@ -78,7 +80,8 @@ class Run {
     if (!checkpoint_.path().empty())
       context.on_state = [this](const std::function<std::string()>& state) { checkpoint_.offer(state); };
     context.earlier = checkpoint_.earlier();
-    if (settings_.improve_s > 0) context.go_on_improving = [this] { return improving_.seconds() < settings_.improve_s; };
+    if (settings_.improve_s > 0)
+      context.go_on_improving = [this] { return improving_.seconds() < settings_.improve_s; };
     return context;
   }
 
@@ -125,13 +128,15 @@ class Run {
 
 int run_and_write(Job job, const Settings& settings, const std::string& folder) {
   if (settings.seed) job.seed = *settings.seed;
-  Run run(job, settings);
-  const auto done = run(folder);
+  auto run = std::make_unique<Run>(job, settings);
+  const auto done = (*run)(folder);
+  const std::string kept = run->kept();
+  run.reset();  // and its bar, before anything is said
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
   if (stop_reason() == StopReason::kNone) return print_problems(done.error());
   Status stopped = stop_status();
-  if (!run.kept().empty()) stopped.message += "; what is done is kept in " + run.kept() + ", --resume goes on";
+  if (!kept.empty()) stopped.message += "; what is done is kept in " + kept + ", --resume goes on";
   return print_problems({stopped});
 }
 

@@ -7,10 +7,8 @@ import re
 import signal
 import struct
 import subprocess
-import time
 import unittest
 import xml.etree.ElementTree as xml
-import zlib
 
 from cli import PROGRAM, CliTest, chunk, png
 
@@ -53,7 +51,8 @@ class ParquetTest(CliTest):
         return self.succeed('parquet', 'target.png', *SMALL, *arguments, **options)
 
     def rows(self, folder='out'):
-        return list(csv.DictReader((self.folder / folder / 'pieces.csv').open()))
+        with (self.folder / folder / 'pieces.csv').open(newline='') as file:
+            return list(csv.DictReader(file))
 
     def report(self, folder='out'):
         return json.loads(self.bytes_of(f'{folder}/report.json'))

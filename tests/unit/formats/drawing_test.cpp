@@ -13,8 +13,9 @@ using ::testing::Not;
 Drawing sample() {
   Drawing drawing;
   drawing.left = 5, drawing.top = -2, drawing.width = 100, drawing.height = 60.5;
-  drawing.layers = {{"engrave", {0, 0, 255}, 0.01, {{"label-A1", {{{10, 10}, {12, 11}}, {{12, 10}, {10, 11}}}, false}}},
-                    {"cut", {255, 0, 0}, 0.01, {{"cut-A1", {{{8, 8}, {20, 8}, {20, 20}, {8, 20}}}, true}}}};
+  drawing.layers = {
+      {"engrave", {0, 0, 255}, 0.01, {{"label-A1", {{{10, 10}, {12, 11}}, {{12, 10}, {10, 11}}}, false}}},
+      {"cut", {255, 0, 0}, 0.01, {{"cut-A1", {{{8, 8}, {20, 8}, {20, 20}, {8, 20}}}, true}}}};
   drawing.job_json = R"({"a":"<&>"})";
   return drawing;
 }
@@ -23,7 +24,10 @@ TEST(DrawingSvg, IsInMillimetresWithLayers) {
   const std::string svg = write_svg(sample());
   EXPECT_THAT(svg, HasSubstr(R"(width="100mm" height="60.5mm" viewBox="5 -2 100 60.5")"));
   EXPECT_THAT(svg, HasSubstr("<metadata>{\"a\":\"&lt;&amp;&gt;\"}</metadata>"));
-  EXPECT_THAT(svg, HasSubstr(R"(<g id="cut" inkscape:groupmode="layer" inkscape:label="cut" fill="none" stroke="#ff0000" stroke-width="0.01">)"));
+  EXPECT_THAT(
+      svg,
+      HasSubstr(
+          R"(<g id="cut" inkscape:groupmode="layer" inkscape:label="cut" fill="none" stroke="#ff0000" stroke-width="0.01">)"));
   EXPECT_THAT(svg, HasSubstr(R"(<path id="cut-A1" d="M8 8L20 8L20 20L8 20Z"/>)"));
   EXPECT_THAT(svg, HasSubstr(R"(<path id="label-A1" d="M10 10L12 11M12 10L10 11"/>)"));
   EXPECT_LT(svg.find("label-A1"), svg.find("cut-A1"));

@@ -86,7 +86,9 @@ TEST(Resampled, PixelsAreAsLargeAsAsked) {
   // 5 / 3 source pixels each; the last one reaches beyond the picture, which goes on as it ends.
   const cv::Mat3b source = noise(17, 11, 4);
   const cv::Mat3b out = resampled(view_of(source), {5, 3}, {5, 3}, {11, 7});
-  const auto at = [&](int x, int y, int c) { return static_cast<double>(source(std::min(y, 10), std::min(x, 16))[c]); };
+  const auto at = [&](int x, int y, int c) {
+    return static_cast<double>(source(std::min(y, 10), std::min(x, 16))[c]);
+  };
   for (int y = 0; y < 7; ++y)
     for (int x = 0; x < 11; ++x)
       for (int c = 0; c < 3; ++c) {

@@ -277,12 +277,15 @@ TEST(PictureTest, TellsItsResolution) {
   EXPECT_EQ(dpi_of(jpeg(1, 0, 0)), 0);
 
   const auto tiff = [](int unit, float x) {
-    return tiff_file(2, 2, [=](TIFF* file) {
-      describe_samples(file, 3, 8, PHOTOMETRIC_RGB);
-      TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, unit);
-      TIFFSetField(file, TIFFTAG_XRESOLUTION, x);
-      TIFFSetField(file, TIFFTAG_YRESOLUTION, x);
-    }, FileBytes(12));
+    return tiff_file(
+        2, 2,
+        [=](TIFF* file) {
+          describe_samples(file, 3, 8, PHOTOMETRIC_RGB);
+          TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, unit);
+          TIFFSetField(file, TIFFTAG_XRESOLUTION, x);
+          TIFFSetField(file, TIFFTAG_YRESOLUTION, x);
+        },
+        FileBytes(12));
   };
   EXPECT_EQ(dpi_of(tiff(RESUNIT_INCH, 400)), 400);
   EXPECT_EQ(dpi_of(tiff(RESUNIT_CENTIMETER, 200)), 508);
@@ -290,7 +293,8 @@ TEST(PictureTest, TellsItsResolution) {
 }
 
 TEST(PictureTest, KeepsAlphaWhereThereIsSome) {
-  const auto clear = decode_picture(png_file(3, 1, 8, PngColour::kRgba, {9, 9, 9, 255, 9, 9, 9, 0, 9, 9, 9, 128}), kPlenty);
+  const auto clear =
+      decode_picture(png_file(3, 1, 8, PngColour::kRgba, {9, 9, 9, 255, 9, 9, 9, 0, 9, 9, 9, 128}), kPlenty);
   ASSERT_TRUE(clear->alpha);
   EXPECT_EQ(std::vector<int>(clear->alpha.get(), clear->alpha.get() + 3), (std::vector<int>{255, 0, 128}));
   EXPECT_FALSE(decode_picture(png_file(1, 1, 8, PngColour::kRgba, {9, 9, 9, 255}), kPlenty)->alpha);

@@ -64,7 +64,8 @@ TEST(JobJsonTest, ReportsAllProblems) {
 
 TEST(JobJsonTest, RefusesWrongMembers) {
   EXPECT_EQ(refusal(R"({"technique": "pavement"})").message, "is missing, expected 1");
-  EXPECT_EQ(refusal(R"({"schemaVersion": 1})").message, "is missing, expected pavement, mosaic, pebbles, pattern or parquetry");
+  EXPECT_EQ(refusal(R"({"schemaVersion": 1})").message,
+            "is missing, expected pavement, mosaic, pebbles, pattern or parquetry");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": "cheese"})").message,
             "is \"cheese\", expected pavement, mosaic, pebbles, pattern or parquetry");
   EXPECT_EQ(refusal(R"({"schemaVersion": 1, "technique": ["pavement"]})").message,

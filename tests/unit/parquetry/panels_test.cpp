@@ -35,7 +35,8 @@ cv::Mat3b scan_of(const Lid& lid, std::uint64_t seed) {
 }
 
 TEST(FindWood, SeesBoardsAndHolesOnAnyLid) {
-  const Lid lids[] = {{{244, 244, 244}, 0}, {{250, 250, 248}, 2}, {{240, 242, 244}, 6}, {{8, 8, 10}, 2}, {{120, 160, 130}, 3}};
+  const Lid lids[] = {
+      {{244, 244, 244}, 0}, {{250, 250, 248}, 2}, {{240, 242, 244}, 6}, {{8, 8, 10}, 2}, {{120, 160, 130}, 3}};
   std::uint64_t seed = 1;
   for (const Lid& lid : lids) {
     const cv::Mat1b wood = find_wood(scan_of(lid, ++seed), kMmPerPx);
@@ -209,7 +210,8 @@ TEST(TakeIn, LiesOnTheMachineByItsMarks) {
     params.panels = "oak dpi=150 machine=";
     for (const Point p : kMarks) {
       const Point mm = kMmPerPx * p;
-      params.panels += std::to_string((side == Side::kBack ? width - mm.x : mm.x) + 20) + ":" + std::to_string(mm.y + 7) + ",";
+      params.panels +=
+          std::to_string((side == Side::kBack ? width - mm.x : mm.x) + 20) + ":" + std::to_string(mm.y + 7) + ",";
     }
     params.panels.pop_back();
     auto panels = taken({{"oak", view_of(scan)}}, params).panels;

@@ -68,7 +68,8 @@ TEST(Registration, NoMapNearbyIsBetter) {
       other.xx += scale, other.yy += scale, other.xy -= turn, other.yx += turn;
       other.at += Point{rng.uniform(-0.1, 0.1), rng.uniform(-0.1, 0.1)};
       double squares = 0;
-      for (std::size_t i = 0; i < to.size(); ++i) squares += dot(other(kCorners[i]) - to[i], other(kCorners[i]) - to[i]);
+      for (std::size_t i = 0; i < to.size(); ++i)
+        squares += dot(other(kCorners[i]) - to[i], other(kCorners[i]) - to[i]);
       EXPECT_GE(squares, 4 * fitted.rms * fitted.rms - 1e-12);
     }
   }
