@@ -177,6 +177,20 @@ test('a piece is pointed at on the picture and on the wood', async () => {
   });
 });
 
+test('a dot goes along the cuts, but not for those who want no motion', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await app.button('Cut').click();
+    const dot = page.locator('.wood-sheet[data-panel=oak] .laser');
+    const at = () => dot.evaluate((circle) => circle.getBoundingClientRect().x);
+    const before = await at();
+    await page.waitForFunction((x) => document.querySelector('[data-panel=oak] .laser').getBoundingClientRect().x !== x, before);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await dot.waitFor({ state: 'detached' });
+    assert.equal(await app.button('Cut').count(), 0);
+  });
+});
+
 test('panels have names, resolutions and masks; what was changed is undone', async () => {
   await withParquet({}, async (app, page, folder) => {
     await chooseAll(app, page, folder);

@@ -1,13 +1,20 @@
-import { Printer } from 'lucide-preact';
+import { signal } from '@preact/signals';
+import { Printer, Zap } from 'lucide-preact';
 import { useEffect, useMemo } from 'preact/hooks';
 import { dpiOf, panels, seenOf } from '../state/panels';
 import type { PanelFile } from '../state/drawn';
 import { outcome, run } from '../state/store';
+import { calm } from '../state/theme';
 import { choosePiece, cutAt, cuts, onWoodKey, pointed, shownPiece } from '../state/wood';
 import { percent } from '../techniques/facts';
 
 const kInchMm = 25.4;
 const kUnknownDpi = 300;
+const kSecondsACut = 0.25; // of the preview, which hurries
+
+/** Whether a dot goes along the cuts. */
+const cutting = signal(false);
+
 const length = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 
 /** Beside the finished piece: the wood that it is cut from. */
@@ -25,7 +32,10 @@ export function WoodView() {
         ))}
       </div>
       <WoodLabel />
-      <Assembly />
+      <div class="wood-tools tool-group">
+        <CutPreview />
+        <Assembly />
+      </div>
     </div>
   );
 }
@@ -40,7 +50,7 @@ const outline = (ring: readonly number[]) => {
   let words = '';
   for (let k = 0; k < ring.length; k += 2)
     words += `${k ? 'L' : 'M'}${ring[k]!.toFixed(2)} ${ring[k + 1]!.toFixed(2)}`;
-  return `${words}Z`;
+  return words && `${words}Z`;
 };
 
 function Sheet({ panel }: { panel: PanelFile }) {
@@ -76,6 +86,7 @@ function Sheet({ panel }: { panel: PanelFile }) {
       >
         <image href={address ?? seen.address} width={width} height={height} preserveAspectRatio="none" />
         {!made && <path class="wood-cuts" d={own.join('')} />}
+        {made && cutting.value && !calm.value && <Laser order={made.order} radius={width / 130} />}
         {chosen?.panel === panel.name && <path class="wood-chosen" d={outline(chosen.onPanel)} />}
       </svg>
       <figcaption>
@@ -109,18 +120,44 @@ function middleOf(ring: readonly number[]): [number, number] {
   return [mean(0), mean(1)];
 }
 
+/** Goes along the cuts as the laser will, again and again. */
+function Laser({ order, radius }: { order: readonly string[]; radius: number }) {
+  const { value: all } = cuts;
+  const way = useMemo(() => {
+    const rings = new Map(all.map(({ id, onPanel }) => [id, onPanel]));
+    return order.map((id) => outline(rings.get(id) ?? [])).join('');
+  }, [all, order]);
+  const motion = { dur: `${Math.max(1, order.length * kSecondsACut)}s`, repeatCount: 'indefinite', path: way };
+  return (
+    <circle class="laser" r={radius}>
+      <animateMotion {...motion} />
+    </circle>
+  );
+}
+
+/** Not offered to those who want no motion. */
+function CutPreview() {
+  if (calm.value || !outcome.value?.wood || run.value) return null;
+  return (
+    <button
+      type="button"
+      class="tool"
+      aria-pressed={cutting.value}
+      title="Watch the order in which the pieces are cut"
+      onClick={() => (cutting.value = !cutting.value)}
+    >
+      <Zap size={17} aria-hidden />
+      Cut
+    </button>
+  );
+}
+
 /** The guide to put the pieces together, to look at and to print. */
 function Assembly() {
   const address = useAddress(outcome.value?.wood?.assembly);
   if (!address || run.value) return null;
   return (
-    <a
-      class="tool tool-group wood-assembly"
-      href={address}
-      target="_blank"
-      rel="noopener"
-      title="Outlines and labels, to print"
-    >
+    <a class="tool" href={address} target="_blank" rel="noopener" title="Outlines and labels, to print">
       <Printer size={17} aria-hidden />
       Assembly
     </a>

@@ -61,6 +61,8 @@ export interface PanelPicture {
   widthMm: number;
   heightMm: number;
   picture: Blob;
+  /** Its pieces' names, in the order they are cut. */
+  order: string[];
 }
 
 /** What became of the wood. `pieces`: in the order of the run's. */

@@ -53,6 +53,9 @@ export function reportOf(
   };
 }
 
+/** The names in a cut file, whose paths are in the order they are cut. */
+export const cutOrder = (svg: string): string[] => Array.from(svg.matchAll(/ id="cut-([^"]+)"/g), ([, id]) => id!);
+
 /** Rows of pieces.csv, whose cells are plain. */
 function rowsOf(csv: string): Record<string, string>[] {
   const [head = '', ...lines] = csv.trim().split('\n');
@@ -128,7 +131,8 @@ export async function woodOf(
       const bitmap = await createImageBitmap(picture);
       const { width, height } = bitmap;
       bitmap.close();
-      return { name, widthMm: width * mmPerPx, heightMm: height * mmPerPx, picture };
+      const order = cutOrder(new TextDecoder().decode(fileOf(files, `panel-${name}.cut.svg`)?.bytes));
+      return { name, widthMm: width * mmPerPx, heightMm: height * mmPerPx, picture, order };
     }),
   );
   return {
