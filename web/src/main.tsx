@@ -6,6 +6,7 @@ import './style/controls.css';
 import './style/stage.css';
 import './style/field.css';
 import './style/statistics.css';
+import './style/wood.css';
 import './style/phone.css';
 import { bindViewport } from './stage/viewport';
 import { bindAddress, openAddress } from './state/address';

@@ -27,6 +27,7 @@ Engine& engine() {
 
 // Only during an observer's call.
 const Iteration* current_iteration = nullptr;
+const std::function<std::string()>* current_state = nullptr;
 
 const char* name_of(StatusCode code) {
   switch (code) {
@@ -71,12 +72,16 @@ std::string technique_list() {
                         {"help", role.help},
                         {"required", role.required},
                         {"parameter", role.parameter},
-                        {"chosen", role.chosen}});
+                        {"chosen", role.chosen},
+                        {"many", role.many}});
+    Json questions = Json::array();
+    for (const Question& question : technique.questions) questions.push_back(question.name);
     list.push_back({{"name", technique.name},
                     {"command", technique.command},
                     {"help", technique.help},
                     {"inputs", inputs},
                     {"subject", technique.subject},
+                    {"questions", questions},
                     {"formats", technique.formats}});
   }
   return to_text(list);
@@ -93,13 +98,14 @@ void set_threads(int threads) { cv::setNumThreads(threads); }
 std::uintptr_t stop_address() { return reinterpret_cast<std::uintptr_t>(&engine().stop()); }
 
 // Of a Uint8Array of straight alpha. kInvalidInput, in the name of `role`, for a size that cannot be.
-Result<cv::Mat3b> picture_of(const std::string& role, const val& rgba, int width, int height) {
+Result<Input> picture_of(const std::string& role, const val& rgba, int width, int height) {
   constexpr double kMaxPixels = 1e8;
   if (width < 1 || height < 1 || static_cast<double>(width) * height > kMaxPixels)
     return fail(StatusCode::kInvalidInput, role,
                 fmt::format("is {} x {} px, expected at least one pixel and at most {:.0f} Mpx", width, height,
                             kMaxPixels / 1e6));
-  cv::Mat3b picture(height, width);
+  Input picture{cv::Mat3b(height, width), cv::Mat1b(height, width)};
+  bool opaque = true;
   std::vector<std::uint8_t> row(4 * static_cast<std::size_t>(width));
   const val target(emscripten::typed_memory_view(row.size(), row.data()));
   for (int y = 0; y < height; ++y) {
@@ -107,16 +113,20 @@ Result<cv::Mat3b> picture_of(const std::string& role, const val& rgba, int width
     target.call<void>("set", rgba.call<val>("subarray", begin, begin + static_cast<double>(row.size())));
     for (int x = 0; x < width; ++x) {
       const std::uint8_t* from = &row[4 * static_cast<std::size_t>(x)];
-      for (int c = 0; c < 3; ++c) picture(y, x)[c] = over_white(from[c], from[3]);
+      for (int c = 0; c < 3; ++c) picture.rgb(y, x)[c] = over_white(from[c], from[3]);
+      picture.alpha(y, x) = from[3];
+      opaque = opaque && from[3] == 255;
     }
   }
+  if (opaque) picture.alpha.release();
   return picture;
 }
 
 // Empty, or problems.
-std::string set_input(const std::string& role, const val& rgba, int width, int height) {
+std::string set_input(const std::string& role, const val& rgba, int width, int height, double dpi) {
   auto picture = picture_of(role, rgba, width, height);
   if (!picture) return problems_text({picture.error()});
+  picture->dpi = dpi;
   engine().set_picture(role, *std::move(picture));
   return "";
 }
@@ -134,7 +144,7 @@ BackendChoice choice_of(const std::string& name) {
   return name == "gl" ? BackendChoice::kGl : BackendChoice::kAuto;
 }
 
-// `watcher` has the functions stage(name), progress(fraction), warning(message), iteration(index, last).
+// `watcher` has the functions stage(name), progress(fraction), warning(message), iteration(index, last), state().
 RunContext context_for(const val& watcher) {
   RunContext context;
   context.on_stage = [watcher](std::string_view name) { watcher.call<void>("stage", std::string(name)); };
@@ -146,13 +156,19 @@ RunContext context_for(const val& watcher) {
 std::string run(const std::string& job_text, const std::string& backend_choice, const val& watcher) {
   const auto job = read_job(job_text);
   if (!job) return problems_text(job.error());
+  RunContext context = context_for(watcher);
+  context.on_state = [&](const std::function<std::string()>& state) {
+    current_state = &state;
+    watcher.call<void>("state");
+    current_state = nullptr;
+  };
   const auto observer = [&](const Iteration& iteration) {
     current_iteration = &iteration;
     watcher.call<void>("iteration", iteration.index, iteration.last);
     current_iteration = nullptr;
   };
   std::string backend;
-  const auto outcome = engine().run(*job, choice_of(backend_choice), context_for(watcher), observer, backend);
+  const auto outcome = engine().run(*job, choice_of(backend_choice), context, observer, backend);
   if (!outcome) return problems_text(outcome.error());
   return to_text({{"backend", backend},
                   {"counts", (*outcome)->counts},
@@ -174,15 +190,38 @@ val preview(int max_pixels, int max_sites) {
   return object;
 }
 
+// What has been made so far, of a technique that runs for long; null at any other time than during watcher.state().
+val state() { return current_state ? val((*current_state)()) : val::null(); }
+
+val to_val(const Artifact& made) {
+  val object = val::object();
+  object.set("name", made.name);
+  object.set("mediaType", made.media_type);
+  object.set("bytes", bytes_of(reinterpret_cast<const std::uint8_t*>(made.bytes.data()), made.bytes.size()));
+  return object;
+}
+
 // {name, mediaType, bytes}, or problems as text.
 val artifact(const std::string& format) {
   const auto made = engine().artifact(format);
+  return made ? to_val(*made) : val(problems_text(made.error()));
+}
+
+// A list of these.
+val artifacts(const std::string& format) {
+  const auto made = engine().artifacts(format);
   if (!made) return val(problems_text(made.error()));
-  val object = val::object();
-  object.set("name", made->name);
-  object.set("mediaType", made->media_type);
-  object.set("bytes", bytes_of(reinterpret_cast<const std::uint8_t*>(made->bytes.data()), made->bytes.size()));
-  return object;
+  val list = val::array();
+  for (const Artifact& each : *made) list.call<void>("push", to_val(each));
+  return list;
+}
+
+// {"answer": text}, or problems.
+std::string ask(const std::string& question, const std::string& job_text, const val& watcher) {
+  const auto job = read_job(job_text);
+  if (!job) return problems_text(job.error());
+  const auto answer = engine().ask(question, *job, context_for(watcher));
+  return answer ? to_text({{"answer", *answer}}) : problems_text(answer.error());
 }
 
 // ---- Statistics
@@ -238,7 +277,7 @@ std::string measure_pixels(const val& rgba, int width, int height, const std::st
   const auto picture = picture_of("", rgba, width, height);
   if (!picture) return problems_text({picture.error()});
   return measured_text(options,
-                       [&](const MeasureOptions& o) { return engine().measure(*picture, o, context_for(watcher)); });
+                       [&](const MeasureOptions& o) { return engine().measure(picture->rgb, o, context_for(watcher)); });
 }
 
 std::string fit(const val& rgba, int width, int height, double seed, const val& watcher) {
@@ -248,7 +287,7 @@ std::string fit(const val& rgba, int width, int height, double seed, const val& 
   const auto picture = picture_of("", rgba, width, height);
   if (!picture) return problems_text({picture.error()});
   const auto whole_seed = static_cast<std::uint64_t>(seed);
-  const auto found = engine().fit(*picture, whole_seed, context_for(watcher));
+  const auto found = engine().fit(picture->rgb, whole_seed, context_for(watcher));
   return found ? to_text(fit_to_json(*found, whole_seed)) : problems_text(found.error());
 }
 
@@ -267,7 +306,10 @@ EMSCRIPTEN_BINDINGS(tessera) {
   emscripten::function("useGl", &tessera::use_gl);
   emscripten::function("run", &tessera::run);
   emscripten::function("preview", &tessera::preview);
+  emscripten::function("state", &tessera::state);
   emscripten::function("artifact", &tessera::artifact);
+  emscripten::function("artifacts", &tessera::artifacts);
+  emscripten::function("ask", &tessera::ask);
   emscripten::function("measureFile", &tessera::measure_file);
   emscripten::function("measurePixels", &tessera::measure_pixels);
   emscripten::function("fit", &tessera::fit);

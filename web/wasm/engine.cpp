@@ -1,5 +1,6 @@
 #include "engine.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "tessera/gpu/gl_rasterizer.h"
@@ -14,6 +15,13 @@ namespace {
 
 ImageView view_of(const cv::Mat3b& picture) {
   return {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
+}
+
+ImageView view_of(const Input& input) {
+  ImageView view = view_of(input.rgb);
+  view.alpha = input.alpha.empty() ? nullptr : input.alpha.ptr();
+  view.dpi = input.dpi;
+  return view;
 }
 
 }  // namespace
@@ -44,27 +52,49 @@ void Engine::begin(RunContext& context) {
   context.stop = &stop_;
 }
 
+Pictures Engine::pictures() const {
+  Pictures pictures;
+  for (const auto& [role, picture] : pictures_) pictures[role] = view_of(picture);
+  return pictures;
+}
+
 tl::expected<const Outcome*, Problems> Engine::run(const Job& job, BackendChoice choice, RunContext context,
                                                    const IterationObserver& observer, std::string& backend) {
   finished_.reset();  // its memory is wanted now
   begin(context);
-  Pictures pictures;
-  for (const auto& [role, picture] : pictures_) pictures[role] = view_of(picture);
   const auto rasterizer = make_rasterizer(choice, context);
-  auto outcome = compute_job(job, pictures, *rasterizer, context, observer, /*records=*/true);
+  auto outcome = compute_job(job, pictures(), *rasterizer, context, observer, /*records=*/true);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   backend = rasterizer->name();
   finished_ = Finished{job, *std::move(outcome)};
   return &finished_->outcome;
 }
 
-tl::expected<Artifact, Problems> Engine::artifact(const std::string& format) const {
+tl::expected<std::vector<Artifact>, Problems> Engine::artifacts(const std::string& format) const {
   if (!finished_) {
     return tl::unexpected<Problems>(
         Problems{{StatusCode::kInvalidParameter, format, "has no run to come from, expected a finished one"}});
   }
-  auto artifacts = write_artifacts(finished_->job, finished_->outcome, {.formats = {format}}, {});
-  return artifacts.map([](std::vector<Artifact>& all) { return std::move(all.front()); });
+  return write_artifacts(finished_->job, finished_->outcome, {.formats = {format}}, {});
+}
+
+tl::expected<Artifact, Problems> Engine::artifact(const std::string& format) const {
+  return artifacts(format).map([](std::vector<Artifact>&& all) { return std::move(all.front()); });
+}
+
+tl::expected<std::string, Problems> Engine::ask(const std::string& question, const Job& job, RunContext context) {
+  const auto& questions = technique_of(job.params).questions;
+  const auto asked = std::find_if(questions.begin(), questions.end(), [&](const Question& q) { return q.name == question; });
+  if (asked == questions.end())
+    return tl::unexpected<Problems>(
+        Problems{{StatusCode::kInvalidParameter, question, "is no question of the technique"}});
+  begin(context);
+  const Pictures given = pictures();
+  for (const InputRole& role : technique_of(job.params).inputs)
+    if (!role.many && role.required && given.count(std::string(role.name)) == 0)
+      return tl::unexpected<Problems>(
+          Problems{{StatusCode::kInvalidInput, std::string(role.name), "is missing, expected a picture"}});
+  return guarded([&] { return asked->answer(job, given, context); });
 }
 
 tl::expected<Measured, Problems> Engine::measure(const cv::Mat3b& picture, const MeasureOptions& options,

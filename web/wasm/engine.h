@@ -19,10 +19,17 @@ namespace tessera {
 
 enum class BackendChoice { kAuto, kCpu, kGl };
 
+// A role's picture: rows from the top.
+struct Input {
+  cv::Mat3b rgb;         // over white
+  cv::Mat1b alpha = {};  // of the same size; empty: all of it is opaque
+  double dpi = 0;        // pixels an inch; 0: nobody knows
+};
+
 class Engine {
  public:
-  // Keeps the role's picture for the runs that follow: RGB, rows from the top.
-  void set_picture(const std::string& role, cv::Mat3b picture) { pictures_[role] = std::move(picture); }
+  // Keeps the role's picture for the runs that follow.
+  void set_picture(const std::string& role, Input picture) { pictures_[role] = std::move(picture); }
   void forget_picture(const std::string& role) { pictures_.erase(role); }
 
   // Tells that a WebGL2 context is current on this thread. Fails where the diagram cannot be drawn with it.
@@ -33,6 +40,10 @@ class Engine {
   tl::expected<const Outcome*, Problems> run(const Job& job, BackendChoice choice, RunContext context,
                                              const IterationObserver& observer, std::string& backend);
   tl::expected<Artifact, Problems> artifact(const std::string& format) const;
+  tl::expected<std::vector<Artifact>, Problems> artifacts(const std::string& format) const;  // of "folder" many
+
+  // What one of the technique's questions is answered with for the job and the pictures that were set.
+  tl::expected<std::string, Problems> ask(const std::string& question, const Job& job, RunContext context);
 
   // Of a picture, or of the bytes of a file that read_pattern_file() knows.
   tl::expected<Measured, Problems> measure(const cv::Mat3b& picture, const MeasureOptions& options,
@@ -45,13 +56,14 @@ class Engine {
 
  private:
   void begin(RunContext& context);
+  Pictures pictures() const;
   std::unique_ptr<Rasterizer> make_rasterizer(BackendChoice choice, const RunContext& context);
 
   struct Finished {
     Job job;
     Outcome outcome;
   };
-  std::map<std::string, cv::Mat3b> pictures_;
+  std::map<std::string, Input> pictures_;
   std::optional<Finished> finished_;
   std::atomic<int> stop_{0};
   bool has_gl_ = false, gl_is_software_ = false;

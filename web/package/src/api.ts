@@ -64,6 +64,7 @@ export interface InputRole {
   required: boolean;
   parameter: string; // that has to be `chosen` for this picture to be looked at; may be empty
   chosen: string;
+  many: boolean; // any number of pictures, each with a name: "panel-oak", "panel-walnut"
 }
 
 export interface Technique {
@@ -72,14 +73,19 @@ export interface Technique {
   help: string; // one line
   inputs: InputRole[];
   subject: string; // the parameter that says what is made where no picture does ("model"); may be empty
+  questions: string[]; // that ask() answers: "plan"
   formats: string[]; // that artifact() makes: "svg", "dxf"
 }
 
-/** Pixels as a canvas gives them: RGBA, 8 bits, rows from the top. Transparent pixels are laid over white. */
+/**
+ * Pixels as a canvas gives them: RGBA, 8 bits, rows from the top. Transparent pixels are laid over white; a panel of wood is
+ * cut where it is opaque.
+ */
 export interface Picture {
   data: Uint8Array | Uint8ClampedArray;
   width: number;
   height: number;
+  dpi?: number; // pixels an inch; 0: nobody knows
 }
 
 /** The diagram after an iteration, small enough to draw. */
@@ -115,6 +121,8 @@ export interface RunOptions extends WatchOptions {
   backend?: 'auto' | 'cpu' | 'gl';
   onWarning?(message: string): void;
   onIteration?(iteration: Iteration): void;
+  /** Of techniques that run for long, again and again: `state` tells what has been made so far, only during the callback. */
+  onState?(state: () => string): void;
 }
 
 export interface RunResult {
@@ -212,6 +220,10 @@ export interface Tessera {
   run(job: Job, options?: RunOptions): RunResult;
   /** A file of the last run that was finished, in one of its technique's formats. */
   artifact(format: string): Artifact;
+  /** The same of a format of many files: "folder", whose names begin with "folder/". */
+  artifacts(format: string): Artifact[];
+  /** What one of the technique's questions is answered with for the job and the pictures that were set: lines of text. */
+  ask(question: string, job: Job, options?: RunOptions): string;
   /** Statistics of a picture, or of the cells or points in a file's bytes: an SVG made here, GeoJSON, CSV. */
   measure(of: Picture | Uint8Array, options?: MeasureOptions): Measured;
   /** The model of random geometry that a picture of cells in a few colours looks like. */

@@ -30,12 +30,15 @@ interface CoreModule {
   read(job: string): string;
   setThreads(threads: number): void;
   stopAddress(): number;
-  setInput(role: string, rgba: Pixels, width: number, height: number): string;
+  setInput(role: string, rgba: Pixels, width: number, height: number, dpi: number): string;
   forgetInput(role: string): void;
   useGl(software: boolean): string;
   run(job: string, backend: string, watcher: Watcher): string;
   preview(maxPixels: number, maxSites: number): Preview | null;
+  state(): string | null;
   artifact(format: string): Artifact | string;
+  artifacts(format: string): Artifact[] | string;
+  ask(question: string, job: string, watcher: Watcher): string;
   measureFile(bytes: Uint8Array, options: string, watcher: Watcher): string;
   measurePixels(rgba: Pixels, width: number, height: number, options: string, watcher: Watcher): string;
   fit(rgba: Pixels, width: number, height: number, seed: number, watcher: Watcher): string;
@@ -54,6 +57,7 @@ interface Watcher {
   progress(fraction: number): void;
   warning(message: string): void;
   iteration(index: number, last: number): void;
+  state(): void;
 }
 
 type Variant = 'threads' | 'single';
@@ -142,11 +146,16 @@ function checkPixels({ data, width, height }: Picture, field: string): void {
   throw new TesseraError([{ code: 'invalidInput', field, message }]);
 }
 
-const watcherOf = (options: RunOptions | WatchOptions, iteration: Watcher['iteration'] = () => {}): Watcher => ({
+const watcherOf = (
+  options: RunOptions | WatchOptions,
+  iteration: Watcher['iteration'] = () => {},
+  state: Watcher['state'] = () => {},
+): Watcher => ({
   stage: (name) => options.onStage?.(name),
   progress: (fraction) => options.onProgress?.(fraction),
   warning: (message) => 'onWarning' in options && options.onWarning?.(message),
   iteration,
+  state,
 });
 
 const softwareRenderers = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -182,7 +191,7 @@ class Core implements Tessera {
   setInput(role: string, picture: Picture | null): void {
     if (!picture) return this.module.forgetInput(role);
     checkPixels(picture, role);
-    const trouble = this.module.setInput(role, picture.data, picture.width, picture.height);
+    const trouble = this.module.setInput(role, picture.data, picture.width, picture.height, picture.dpi ?? 0);
     if (trouble) answer(trouble);
   }
 
@@ -198,13 +207,26 @@ class Core implements Tessera {
   }
 
   run(job: Job, options: RunOptions = {}): RunResult {
-    const watcher = watcherOf(options, (index, last) => options.onIteration?.(this.iteration(index, last)));
+    const watcher = watcherOf(
+      options,
+      (index, last) => options.onIteration?.(this.iteration(index, last)),
+      () => options.onState?.(() => this.module.state() ?? ''),
+    );
     return answer<RunResult>(this.module.run(JSON.stringify(job), options.backend ?? 'auto', watcher));
   }
 
   artifact(format: string): Artifact {
     const made = this.module.artifact(format);
     return typeof made === 'string' ? answer<Artifact>(made) : made;
+  }
+
+  artifacts(format: string): Artifact[] {
+    const made = this.module.artifacts(format);
+    return typeof made === 'string' ? answer<Artifact[]>(made) : made;
+  }
+
+  ask(question: string, job: Job, options: RunOptions = {}): string {
+    return answer<{ answer: string }>(this.module.ask(question, JSON.stringify(job), watcherOf(options))).answer;
   }
 
   measure(of: Picture | Uint8Array, options: MeasureOptions = {}): Measured {

@@ -23,6 +23,7 @@ export class Scene {
   private stones: { drawing: StoneDrawing; grid: Grid } | null = null;
   private diagram: Diagram | null = null; // that the stones were made from
   private live: { id: number; diagram: Diagram } | null = null;
+  private growing: { id: number; bitmap: ImageBitmap } | null = null; // pieces that have been laid so far
   private fading: { diagram: Diagram; since: number } | null = null;
   private small: ImageData | null = null; // see sourcePixels()
   private dropped = 0;
@@ -47,6 +48,7 @@ export class Scene {
   private clear(): void {
     this.stones?.drawing.close();
     this.stones = this.diagram = this.live = this.fading = null;
+    this.grow(null);
   }
 
   take(message: EngineToPainter): void {
@@ -57,6 +59,7 @@ export class Scene {
       return;
     }
     if (message.id <= this.dropped) return;
+    if (message.type === 'growing') return this.grow(message);
     if (message.type === 'preview') {
       const diagram = new Diagram(message.preview, message.scale, this.source?.width ?? 1, (w, h) =>
         this.sourcePixels(w, h),
@@ -64,6 +67,7 @@ export class Scene {
       this.live = { id: message.id, diagram };
       return;
     }
+    this.grow(null);
     const drawing = new StoneDrawing(message);
     this.stones?.drawing.close();
     this.stones = { drawing, grid: gridOf(message.pieces) };
@@ -77,6 +81,12 @@ export class Scene {
   drop(upTo: number): void {
     this.dropped = Math.max(this.dropped, upTo);
     if (this.live && this.live.id <= upTo) this.live = null;
+    if (this.growing && this.growing.id <= upTo) this.grow(null);
+  }
+
+  private grow(growing: { id: number; bitmap: ImageBitmap } | null): void {
+    this.growing?.bitmap.close();
+    this.growing = growing;
   }
 
   /** Stones of a picture of another size do not fit the new one; of the same size, they stay until others come. */
@@ -103,7 +113,7 @@ export class Scene {
   }
 
   pieceUnderPointer(): number {
-    if (!this.pointer || !this.stones || this.live || !this.look) return -1;
+    if (!this.pointer || !this.stones || this.live || this.growing || !this.look) return -1;
     if (!this.look.layers.stones && !this.look.layers.outlines) return -1;
     if (this.pointer.x < this.look.divider * this.stage.width) return -1;
     const { drawing, grid } = this.stones;
@@ -149,6 +159,12 @@ export class Scene {
       this.overPicture(context, () => this.live?.diagram.live(context, rgbaOf(look.accent)));
       return false;
     }
+    const { growing } = this;
+    if (growing) {
+      this.drawSource(context, 0.35);
+      this.overPicture(context, () => context.drawImage(growing.bitmap, 0, 0, 1, 1));
+      return false;
+    }
     const bare = !this.stones;
     let again = false;
     if (this.stones && look.layers.stones) {
@@ -181,7 +197,7 @@ export class Scene {
 
   private drawLayers(context: Context, look: Look): void {
     const { layers, accent } = look;
-    if (this.live) return;
+    if (this.live || this.growing) return;
     if (layers.source && layers.stones && this.stones) this.drawSource(context, 0.5);
     const { diagram, view, stage, ratio } = this;
     if (layers.outlines) this.stones?.drawing.outlines(context, view, stage, ratio);

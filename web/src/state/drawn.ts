@@ -7,14 +7,27 @@ import { drawStroke, type Context2D, type Stroke } from './strokes';
 /** The points that a smooth curve goes through, px of the picture. */
 export type Guide = readonly Point[];
 
+/** A scan of wood, and where on it there is wood. */
+export interface PanelFile {
+  /** What its files are called. */
+  readonly name: string;
+  readonly file: string;
+  readonly blob: Blob;
+  readonly mask: { readonly file: string; readonly blob: Blob } | null;
+  /** It is the technique's own. */
+  readonly sample: boolean;
+}
+
 export interface Drawn {
   readonly guides: readonly Guide[];
   readonly regions: readonly Stroke[];
   /** A file that tells where points are many. */
   readonly density: { readonly name: string; readonly blob: Blob } | null;
+  /** Of a technique that is made of wood, whatever the picture; null before anybody has chosen any. */
+  readonly panels: readonly PanelFile[] | null;
 }
 
-export const kNothingDrawn: Drawn = { guides: [], regions: [], density: null };
+export const kNothingDrawn: Drawn = { guides: [], regions: [], density: null, panels: null };
 export const isNothing = ({ guides, regions, density }: Drawn) =>
   guides.length === 0 && regions.length === 0 && !density;
 

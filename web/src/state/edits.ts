@@ -4,7 +4,7 @@ import type { ParameterValue } from 'tessera-wasm';
 import { sameParams, withValue, type Field, type Params } from './form';
 import { push, redo as redone, undo as undone } from './history';
 import { runSoon } from './runner';
-import { isNothing, kNothingDrawn, type Drawn } from './drawn';
+import { isNothing, kNothingDrawn, type Drawn, type PanelFile } from './drawn';
 import { edits, fields, kByLabels, kSegmenter, labels, problems, type Edits } from './store';
 
 /** The parameter that tells what people have corrected in the picture. */
@@ -66,9 +66,19 @@ export function changeDensity(density: Drawn['density'], params: Params): void {
   if (change('', { drawn: { ...edits.value.present.drawn, density }, params })) runSoon();
 }
 
-/** What was drawn belongs to the picture that it was drawn on. Does not run. */
+/** Panels of wood, with what is known of them in the parameter "panels"; `key` as above. */
+export function changePanels(panels: readonly PanelFile[], options: string, key = ''): void {
+  const { drawn, params } = edits.value.present;
+  const { panels: _, ...others } = params;
+  const next = options ? { ...others, panels: options } : others;
+  const same = panels === drawn.panels;
+  if (change(key, { drawn: same ? drawn : { ...drawn, panels }, params: next })) runSoon();
+}
+
+/** What was drawn belongs to the picture that it was drawn on; wood does not. Does not run. */
 export function dropDrawn(): void {
-  if (!isNothing(edits.value.present.drawn)) change('', { drawn: kNothingDrawn });
+  const { drawn } = edits.value.present;
+  if (!isNothing(drawn)) change('', { drawn: { ...kNothingDrawn, panels: drawn.panels } });
 }
 
 /** The same of what was corrected in it, and of a label picture of it. Does not run. */

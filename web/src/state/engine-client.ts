@@ -14,6 +14,8 @@ import type {
   RunRequest,
   ToEngine,
   ToPainter,
+  Wood,
+  WoodPiece,
 } from '../worker/protocol';
 
 // ms that a run may take to stop. The page shows it as cancelled at once; a fresh engine would take longer than this.
@@ -26,6 +28,8 @@ export interface RunEvents {
   progress(fraction: number): void;
   iteration(index: number, last: number): void;
   warning(message: string): void;
+  forecast(text: string): void;
+  laid(pieces: readonly WoodPiece[]): void;
   file(format: string, blob: Blob): void;
 }
 
@@ -36,6 +40,7 @@ export type RunEnd =
       milliseconds: number;
       colours: readonly ColourCount[];
       pieces: Pieces | null;
+      wood: Wood | null;
       onDemand: boolean;
     }
   | { kind: 'problems'; problems: readonly Problem[] }
@@ -53,6 +58,8 @@ interface Running {
 
 type Answer = Extract<FromEngine, { id: number }>;
 type Question = Extract<ToEngine, { id: number }>;
+
+export type PictureFacts = Pick<Extract<FromEngine, { type: 'picture' }>, 'width' | 'height' | 'panel'>;
 
 interface Picture {
   slot: string;
@@ -178,7 +185,7 @@ export class EngineClient {
   }
 
   /** A picture for the runs that follow; rejects with a message for people where it cannot be used. */
-  setPicture(slot: string, name: string, blob: Blob): Promise<{ width: number; height: number }> {
+  setPicture(slot: string, name: string, blob: Blob): Promise<PictureFacts> {
     const picture = { slot, name, blob };
     const id = this.nextId++;
     return new Promise((resolve, reject) => {
@@ -234,12 +241,17 @@ export class EngineClient {
             return over || events.iteration(answer.index, answer.last);
           case 'warning':
             return over || events.warning(answer.message);
+          case 'forecast':
+            return over || events.forecast(answer.text);
+          case 'laid':
+            return over || events.laid(answer.pieces);
           case 'file':
             return events.file(answer.format, answer.blob);
           case 'done':
           case 'problems':
             this.running?.stopped();
             this.running = null;
+            if (answer.type === 'problems') this.painter.postMessage({ type: 'drop', upTo: id }); // what it has shown
             if (!over) end(answer.type === 'done' ? { kind: 'done', ...answer } : { kind: 'problems', ...answer });
         }
       });

@@ -20,7 +20,6 @@ const kFlat: readonly FileKind[] = [
   { format: 'svg', title: 'SVG', ending: 'svg' },
   { format: 'dxf', title: 'DXF', ending: 'dxf' },
   { format: 'png', title: 'PNG', ending: 'png' },
-  { format: 'zip', title: 'ZIP', ending: 'zip' },
   { format: 'bom.csv', title: 'bill of materials', short: 'Bill', ending: 'bom.csv' },
   { format: 'job', title: 'job', ending: 'json' },
   { format: 'csv', title: 'CSV', ending: 'csv', more: true },
@@ -45,7 +44,18 @@ const kSolid: readonly FileKind[] = [
   { format: 'json', title: 'GeoJSON', ending: 'geojson', more: true },
 ];
 
-export const fileKinds = computed(() => (entry.value.solid ? kSolid : kFlat));
+/** Of wood: the folder as one file. */
+const kWood: readonly FileKind[] = [
+  { format: 'folder', title: 'ZIP', ending: 'zip' },
+  { format: 'png', title: 'PNG', ending: 'png' },
+  { format: 'job', title: 'job', ending: 'json' },
+  { format: 'svg', title: 'SVG', ending: 'svg', more: true },
+  { format: 'dxf', title: 'DXF', ending: 'dxf', more: true },
+  { format: 'csv', title: 'CSV', ending: 'csv', more: true },
+  { format: 'json', title: 'GeoJSON', ending: 'geojson', more: true },
+];
+
+export const fileKinds = computed(() => (entry.value.panels ? kWood : entry.value.solid ? kSolid : kFlat));
 
 export const endingOf = (format: string): string =>
   fileKinds.value.find((file) => file.format === format)?.ending ?? format;

@@ -4,9 +4,10 @@ import { entryOf } from '../techniques/index';
 import { changeParams, dropDrawn } from './edits';
 import { differing } from './form';
 import { client } from './page';
+import { panels } from './panels';
 import { sampleNamed, useSample } from './pictures';
 import { generate } from './runner';
-import { kLabels } from '../worker/protocol';
+import { kLabels, kMask, kPanel } from '../worker/protocol';
 import { alerts, alertWith, drawn, entry, fields, inputRole, kSegmenter, labels, picture } from './store';
 import { switchTo } from './tabs';
 
@@ -24,15 +25,23 @@ export async function openJob(file: File): Promise<void> {
   const labelsLost = labelPath !== undefined && nameOf(labelPath) !== labels.value?.name;
   const { [kSegmenter]: segmenter, ...params } = differing(fields.value, answer.params);
   changeParams(segmenter === undefined || labelsLost ? params : { ...params, [kSegmenter]: segmenter }, answer.seed);
-  if (!sameDrawn(others)) dropDrawn();
+  const { drawnOnes, wood } = apart(others);
+  if (!sameDrawn(drawnOnes)) dropDrawn();
   await findPicture(path);
+  const elsewhere = wood.filter((name) => !haveWood(name)).map((name) => `“${name}”`);
+  if (elsewhere.length)
+    alertWith(
+      ...alerts.value,
+      `The job is cut from ${elsewhere.join(' and ')}, which a page cannot open by itself: it runs on the wood that is ` +
+        'here. Choose those files as the panels, under the same names.',
+    );
   if (labelsLost)
     alertWith(
       ...alerts.value,
       `The job was made with the label picture “${nameOf(labelPath)}”, which a page cannot open by itself: it searches ` +
         'for the pebbles. Choose that file as the segmentation.',
     );
-  const lost = sameDrawn(others) ? [] : Object.values(others).map((other) => `“${nameOf(other)}”`);
+  const lost = sameDrawn(drawnOnes) ? [] : Object.values(drawnOnes).map((other) => `“${nameOf(other)}”`);
   if (lost.length)
     alertWith(
       ...alerts.value,
@@ -40,6 +49,20 @@ export async function openJob(file: File): Promise<void> {
         'was there, or run the job with the command line.',
     );
 }
+
+/** Panels and their masks are no drawings. */
+function apart(inputs: Readonly<Record<string, string>>) {
+  const isWood = (role: string) => role.startsWith(kPanel) || role.startsWith(kMask);
+  const all = Object.entries(inputs);
+  return {
+    drawnOnes: Object.fromEntries(all.filter(([role]) => !isWood(role))),
+    wood: all.flatMap(([role, path]) => (isWood(role) ? [nameOf(path) ?? ''] : [])),
+  };
+}
+
+const haveWood = (file: string) =>
+  panels().some((panel) => panel.file === file || panel.mask?.file === file) ||
+  (drawn.value.panels === null && entry.value.panels?.some((panel) => panel.file === file));
 
 /** Whether the job was made with what is drawn here now. */
 function sameDrawn(inputs: Readonly<Record<string, string>>): boolean {

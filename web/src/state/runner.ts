@@ -8,6 +8,7 @@ import { drawnPictures, type DrawnPicture } from './drawn';
 import { endingOf, fileKinds } from './files';
 import type { Size } from '../stage/view';
 import { client } from './page';
+import { fetchPanels, forecast, kPanels, laid, ownOptions, panelPictures, panelScales, sendPanels } from './panels';
 import { reducedJob, reductionFor } from './reduce';
 import {
   alerts,
@@ -46,7 +47,7 @@ function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
     schemaVersion: 1,
     technique: technique.value,
     seed: seed.value,
-    params: currentParams(),
+    params: { ...currentParams(), ...(entry.value.panels && { [kPanels]: ownOptions() }) },
     inputs: {
       ...(inputRole.value && picture.value && { [inputRole.value]: picture.value.name }),
       ...(byLabels.value && labels.value && { [kLabels]: labels.value.name }),
@@ -110,7 +111,9 @@ async function start(quick: boolean): Promise<void> {
   }
   let drawnOnes: DrawnPicture[];
   try {
-    drawnOnes = await takeDrawn(size);
+    await fetchPanels();
+    await sendPanels();
+    drawnOnes = [...(await takeDrawn(size)), ...panelPictures()];
   } catch (error) {
     if (mine !== newest) return;
     run.value = null;
@@ -118,7 +121,8 @@ async function start(quick: boolean): Promise<void> {
   }
   if (mine !== newest) return;
   const job = currentJob(drawnOnes);
-  const part = quick && inputRole.value && !entry.value.solid ? reductionFor(size.width, size.height) : 1;
+  const part =
+    quick && inputRole.value && !entry.value.solid && !entry.value.panels ? reductionFor(size.width, size.height) : 1;
   if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part, []))) return;
   await attempt(mine, job, 1, drawnOnes);
 }
@@ -143,7 +147,13 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   batch(() => {
     problems.value = {};
     run.value = { stage: '', fraction: 0, iteration: null, since: performance.now(), reduced };
+    laid.value = [];
   });
+  const warn = (message: string) => {
+    if (mine !== newest) return;
+    if (entry.value.panels) alertWith(...alerts.value, `${message}.`);
+    else notice.value = message;
+  };
   const update = (change: Partial<NonNullable<typeof run.value>>) => {
     if (mine === newest && run.value) run.value = { ...run.value, ...change };
   };
@@ -155,12 +165,22 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   );
   const baseName = baseNameOf(subjectOf(job), job.technique);
   const end = await client.run(
-    { job, inputs, backend: backend.value, scale, formats, pieces: entry.value.solid },
+    {
+      job,
+      inputs,
+      backend: backend.value,
+      scale,
+      formats,
+      pieces: entry.value.solid || entry.value.panels !== undefined,
+      panels: entry.value.panels ? panelScales() : null,
+    },
     {
       stage: (stage) => update({ stage }),
       progress: (fraction) => update({ fraction }),
       iteration: (index, last) => update({ iteration: { index, last } }),
-      warning: (message) => mine === newest && (notice.value = message),
+      warning: warn,
+      forecast: (text) => mine === newest && (forecast.value = text),
+      laid: (pieces) => mine === newest && (laid.value = [...laid.value, ...pieces]),
       file: (format, blob) =>
         outcome.value?.job === job && addFile(format, { blob, name: `${baseName}.${endingOf(format)}` }),
     },
@@ -170,8 +190,8 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
     run.value = null;
     if (end.kind === 'done') {
       forgetFiles();
-      const { result, milliseconds, colours, pieces, onDemand } = end;
-      outcome.value = { job, result, milliseconds, reduced, colours, pieces, onDemand, files: {} };
+      const { kind, ...made } = end;
+      outcome.value = { job, reduced, ...made, files: {} };
       if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.${endingOf('job')}` });
       for (const { role, ...file } of drawnOnes) addFile(role, file);
     } else if (end.kind === 'problems') {
@@ -241,6 +261,7 @@ function sentenceOf({ code, field, message }: Problem): string {
     [inputRole.value]: picture.value?.name ?? entry.value.title,
     [kLabels]: labels.value?.name,
   };
-  const what = names[field] ? `“${names[field]}”` : field;
+  const panel = entry.value.panels && field === 'panel' ? 'A panel of wood' : undefined;
+  const what = panel ?? (names[field] ? `“${names[field]}”` : field);
   return what ? `${what} ${message}.` : `${message}.`;
 }

@@ -7,7 +7,7 @@ import { pavement } from '../techniques/pavement';
 import type { Tool } from '../techniques/entry';
 import { entryOf } from '../techniques/index';
 import type { Size } from '../stage/view';
-import type { Backend, ColourCount, EngineInfo, Graphics, PieceFacts } from '../worker/protocol';
+import type { Backend, ColourCount, EngineInfo, Graphics, PieceFacts, Wood } from '../worker/protocol';
 import type { Pieces } from '../worker/pieces';
 import { fieldsOf, valueOf, type Params } from './form';
 import { kNothingDrawn, type Drawn } from './drawn';
@@ -56,6 +56,8 @@ export interface Outcome {
   colours: readonly ColourCount[];
   /** Of techniques whose pieces are solid. */
   pieces: Pieces | null;
+  /** Of a technique that is made of wood. */
+  wood: Wood | null;
   /** Files besides the picture are made when they are asked for. */
   onDemand: boolean;
   /** By format; grows while the files are made. */

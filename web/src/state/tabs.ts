@@ -4,6 +4,7 @@ import { batch } from '@preact/signals';
 import { dropCorrections, dropDrawn } from './edits';
 import { sampleNamed, useSample } from './pictures';
 import { forgetOutcome, generate } from './runner';
+import { entryOf } from '../techniques/index';
 import { edits, entry, freshEdits, inputRole, picture, problems, technique, tool, type PictureInfo } from './store';
 
 /** What each tab was left with. */
@@ -15,7 +16,7 @@ export function switchTo(name: string): void {
   left.set(technique.value, { edits: edits.value, picture: picture.value });
   batch(() => {
     technique.value = name;
-    edits.value = left.get(name)?.edits ?? freshEdits();
+    edits.value = left.get(name)?.edits ?? freshEdits(entryOf(name)?.panels && entryOf(name)?.samples[0]?.params);
     problems.value = {};
     tool.value = null;
     forgetOutcome();

@@ -57,6 +57,10 @@ export interface TechniqueEntry {
   without?: Readonly<Record<string, readonly string[]>>;
   /** From which of its files statistics are taken; none are where this is missing. */
   measurable?(params: Params): Measurable;
+  /** It is cut from panels of wood; these, of samples/panels/, are there to begin with. */
+  panels?: readonly { name: string; file: string }[];
+  /** What its picture is called where that is chosen; "Image" where this is missing. */
+  pictureTitle?: string;
   samples: readonly Sample[];
   presets: readonly Preset[];
   /** What the engine's stages are called while they go on. */

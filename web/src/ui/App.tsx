@@ -8,23 +8,27 @@ import { Panel } from './Panel';
 import { Stage } from './Stage';
 import { Statistics } from './Statistics';
 import { Tabs } from './Tabs';
+import { WoodView } from './WoodView';
 import { half } from '../state/pebbles';
 import { entry, technique } from '../state/store';
 
 export function App() {
+  const { solid, panels, measurable } = entry.value;
+  const halves = solid || panels !== undefined;
   return (
     <div class="app">
       <Tabs />
       <main>
         <div id="work" class="work" role="tabpanel" aria-labelledby={`tab-${technique.value}`}>
           <Header />
-          <div class="stage-frame" data-solid={entry.value.solid} data-half={half.value}>
+          <div class="stage-frame" data-halves={halves} data-half={half.value}>
             <Stage />
-            {entry.value.solid && <FieldView />}
-            {entry.value.solid && <HalfSwitch />}
+            {solid && <FieldView />}
+            {panels && <WoodView />}
+            {halves && <HalfSwitch />}
             <Alerts />
           </div>
-          {entry.value.measurable && <Statistics />}
+          {measurable && <Statistics />}
           <Bar />
         </div>
       </main>

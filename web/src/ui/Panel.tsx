@@ -7,6 +7,7 @@ import { FitInput } from './FitInput';
 import { ModelChoice } from './ModelChoice';
 import { Parameters, Presets } from './Parameters';
 import { PictureInput } from './PictureInput';
+import { WoodInput } from './WoodInput';
 
 /** On the right; on a phone a sheet of which only the head is seen until it is pulled up. */
 export function Panel() {
@@ -37,6 +38,7 @@ export function Panel() {
       </div>
       <div class="panel-body" id="panel-body">
         {inputRole.value && <PictureInput />}
+        {entry.value.panels && <WoodInput />}
         <ModelChoice />
         <Presets />
         <Parameters />

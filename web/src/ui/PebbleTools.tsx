@@ -114,7 +114,7 @@ export function ChosenPebbles() {
   );
 }
 
-function outlineOf({ pieceStarts, ringStarts, points }: Pieces, piece: number): string {
+export function outlineOf({ pieceStarts, ringStarts, points }: Pieces, piece: number): string {
   const words: string[] = [];
   for (let ring = pieceStarts[piece]!; ring < pieceStarts[piece + 1]!; ++ring) {
     for (let k = ringStarts[ring]!; k < ringStarts[ring + 1]!; ++k)

@@ -19,7 +19,7 @@ export function PictureInput() {
         <label class="source">
           <input type="file" class="unseen" accept={kPictureTypes} onChange={onFile} />
           <ImageUp size={20} aria-hidden />
-          Image
+          {entry.value.pictureTitle ?? 'Image'}
         </label>
         {takesLabels() && <LabelsButton />}
         {entry.value.tools.map((name) =>

@@ -1,4 +1,5 @@
-import { outcome, piece } from '../state/store';
+import { entry, outcome, piece } from '../state/store';
+import { cuts, shownPiece } from '../state/wood';
 import type { PieceFacts } from '../worker/protocol';
 
 const number = new Intl.NumberFormat('en');
@@ -8,6 +9,7 @@ const length = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 /** What the pointer is on: "stone 1,204: 71 px², 4 sides"; "pebble 12: 54 × 46 mm". */
 export function PieceLabel() {
   const { value: facts } = piece;
+  if (entry.value.panels) return <CutLabel />;
   if (!facts) return null;
   const axes = axesOf(facts);
   const { kind, id, area, vertices, orientation } = facts;
@@ -25,6 +27,20 @@ export function PieceLabel() {
         style={{ transform: `rotate(${lies}deg)` }}
         title={`lies at ${whole.format(lies)}°`}
       />
+    </p>
+  );
+}
+
+/** "C12: row 12, column 3, cost 51,171". */
+function CutLabel() {
+  const cut = shownPiece.value < 0 ? undefined : cuts.value[shownPiece.value];
+  if (!cut) return null;
+  return (
+    <p class="piece-label">
+      <span>
+        <strong>{cut.id}</strong>
+        {`: row ${cut.row}, column ${cut.column}, cost ${number.format(cut.cost)}`}
+      </span>
     </p>
   );
 }

@@ -6,6 +6,7 @@ import { listenToGestures } from '../stage/gestures';
 import { toPicture } from '../stage/view';
 import { comparable, stageSize, view } from '../stage/viewport';
 import { toggleAt } from '../state/pebbles';
+import { chooseAt, onWoodKey } from '../state/wood';
 import type { Tool } from '../techniques/entry';
 import { Divider } from './Divider';
 import { LayerSwitches } from './LayerSwitches';
@@ -14,6 +15,7 @@ import { Guides } from './Guides';
 import { ChosenPebbles, onPebbleKey, PebbleSheet, PebbleTools } from './PebbleTools';
 import { Regions } from './Regions';
 import { Sketch } from './Sketch';
+import { ChosenPiece } from './ChosenPiece';
 import { ZoomTools } from './ZoomTools';
 
 /** What lies over the stage while it is drawn on. */
@@ -29,11 +31,13 @@ const kTools: Partial<Record<Tool, ComponentType>> = {
 
 export function Stage() {
   const ToolHere = tool.value && kTools[tool.value];
-  const { solid } = entry.value;
+  const { solid, panels } = entry.value;
+  const onKey = solid ? onPebbleKey : panels && onWoodKey;
   return (
-    <section class="stage" aria-label="Stage" onKeyDown={(event) => solid && onPebbleKey(event)}>
+    <section class="stage" aria-label="Stage" onKeyDown={onKey}>
       <StageCanvas />
       {solid && <ChosenPebbles />}
+      {panels && <ChosenPiece />}
       {ToolHere ? (
         <ToolHere />
       ) : (
@@ -63,7 +67,11 @@ function StageCanvas() {
       painter.postMessage({ type: 'stage', width, height, ratio: devicePixelRatio });
     });
     resized.observe(element);
-    const silence = listenToGestures(element, (at) => entry.value.solid && toggleAt(toPicture(view.value, at)));
+    const silence = listenToGestures(element, (at) => {
+      const place = toPicture(view.value, at);
+      if (entry.value.solid) toggleAt(place);
+      if (entry.value.panels) chooseAt(place);
+    });
     return () => {
       resized.disconnect();
       silence();
@@ -81,6 +89,7 @@ function StageCanvas() {
       <canvas />
       <p id="stage-keys" class="unseen">
         Arrow keys move, plus and minus zoom, 0 fits, 1 shows true size.
+        {entry.value.panels && ' N and B choose the next piece and the one before, Escape none.'}
       </p>
     </div>
   );

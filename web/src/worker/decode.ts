@@ -3,6 +3,7 @@
 
 import type { Picture } from 'tessera-wasm';
 import { readHeader } from './picture-header';
+import { readDpi } from './resolution';
 
 const kMaxPixels = 100_000_000;
 const kMaxShown = 4096; // px a side; no screen shows more
@@ -13,14 +14,18 @@ export class PictureError extends Error {}
 export interface Opened {
   width: number;
   height: number;
+  /** Pixels an inch that the file tells; 0: it does not. */
+  dpi: number;
   /** To look at; as transparent as the file. */
   bitmap: ImageBitmap;
   /** Once only. They take their time, and nobody needs them before a job. */
   pixels(): Picture;
 }
 
-/** `numbers`: its pixels are not colours, and may be too large for a canvas. */
-export async function open(blob: Blob, name: string, numbers = false): Promise<Opened> {
+/** What pixels are, if not colours over white: numbers, which may be too large for a canvas; colours with their opacity. */
+export type PixelKind = 'colours' | 'numbers' | 'see-through';
+
+export async function open(blob: Blob, name: string, kind: PixelKind = 'colours'): Promise<Opened> {
   const bytes = new Uint8Array(await blob.arrayBuffer());
   if (bytes.length === 0) throw new PictureError(`“${name}” is empty. Choose another file.`);
   const header = readHeader(bytes);
@@ -29,8 +34,9 @@ export async function open(blob: Blob, name: string, numbers = false): Promise<O
   }
   refuseTooLarge(name, header.width, header.height);
   try {
-    if (numbers && isDeepGrey(bytes)) return await openNumbers(bytes);
-    return header.kind === 'TIFF' ? await openTiff(bytes, name) : await openByBrowser(blob, name);
+    if (kind === 'numbers' && isDeepGrey(bytes)) return await openNumbers(bytes);
+    const opened = await (header.kind === 'TIFF' ? openTiff(bytes, name) : openByBrowser(blob, name, kind));
+    return { ...opened, dpi: readDpi(bytes) };
   } catch (error) {
     if (error instanceof PictureError) throw error;
     throw new PictureError(`“${name}” is a damaged ${header.kind} file. Save it again, or choose another.`);
@@ -45,11 +51,12 @@ function refuseTooLarge(name: string, width: number, height: number): void {
   );
 }
 
-async function openByBrowser(blob: Blob, name: string): Promise<Opened> {
+async function openByBrowser(blob: Blob, name: string, kind: PixelKind): Promise<Opened> {
   const bitmap = await createImageBitmap(blob, { imageOrientation: 'from-image', colorSpaceConversion: 'none' });
   const { width, height } = bitmap;
   refuseTooLarge(name, width, height);
-  return { width, height, bitmap: await toLookAt(bitmap, width, height), pixels: () => pixelsOf(bitmap, 1) };
+  const pixels = () => pixelsOf(bitmap, 1, kind === 'see-through');
+  return { width, height, dpi: 0, bitmap: await toLookAt(bitmap, width, height), pixels };
 }
 
 async function openTiff(bytes: Uint8Array, name: string): Promise<Opened> {
@@ -67,7 +74,7 @@ async function openTiff(bytes: Uint8Array, name: string): Promise<Opened> {
 
 async function openPixels(data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): Promise<Opened> {
   const image = new ImageData(data, width, height);
-  return { width, height, bitmap: await toLookAt(image, width, height), pixels: () => image };
+  return { width, height, dpi: 0, bitmap: await toLookAt(image, width, height), pixels: () => image };
 }
 
 /** A PNG of 16 bits of grey. */
@@ -87,14 +94,17 @@ async function openNumbers(bytes: Uint8Array): Promise<Opened> {
   return openPixels(data, width, height);
 }
 
-/** Over white, and scaled; the bitmap is used up. */
-function pixelsOf(bitmap: ImageBitmap, scale: number): Picture {
+/** Over white, if not see-through, and scaled; the bitmap is used up. */
+function pixelsOf(bitmap: ImageBitmap, scale: number, seeThrough = false): Picture {
   const width = Math.max(1, Math.round(bitmap.width * scale));
   const height = Math.max(1, Math.round(bitmap.height * scale));
-  const context = new OffscreenCanvas(width, height).getContext('2d', { alpha: false, willReadFrequently: true });
+  const context = new OffscreenCanvas(width, height).getContext('2d', {
+    alpha: seeThrough,
+    willReadFrequently: true,
+  });
   if (!context) throw new PictureError(`There is not enough memory for a picture of ${width} × ${height} pixels.`);
   context.fillStyle = '#fff';
-  context.fillRect(0, 0, width, height);
+  if (!seeThrough) context.fillRect(0, 0, width, height);
   context.imageSmoothingEnabled = scale !== 1; // it takes its time even where there is nothing to smooth
   context.imageSmoothingQuality = 'high';
   context.drawImage(bitmap, 0, 0, width, height);
@@ -102,8 +112,13 @@ function pixelsOf(bitmap: ImageBitmap, scale: number): Picture {
   return context.getImageData(0, 0, width, height);
 }
 
-function toLookAt(image: ImageBitmap | ImageData, width: number, height: number): Promise<ImageBitmap> {
-  const part = Math.min(1, kMaxShown / Math.max(width, height));
+export function toLookAt(
+  image: ImageBitmap | ImageData,
+  width: number,
+  height: number,
+  most = kMaxShown,
+): Promise<ImageBitmap> {
+  const part = Math.min(1, most / Math.max(width, height));
   if (part === 1) return createImageBitmap(image);
   return createImageBitmap(image, {
     resizeWidth: Math.max(1, Math.round(width * part)),

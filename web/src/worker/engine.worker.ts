@@ -3,6 +3,7 @@
 import {
   createTessera,
   TesseraError,
+  type Artifact,
   type Iteration,
   type Job,
   type Picture,
@@ -10,18 +11,22 @@ import {
   type RunResult,
   type Tessera,
 } from 'tessera-wasm';
-import { open, PictureError, scaled, type Opened } from './decode';
-import { countColours, noPieces, parsePieces, transferable } from './pieces';
+import { open, PictureError, scaled, toLookAt, type Opened } from './decode';
+import { Growing, matchingDpi } from './growing';
+import { countColours, noPieces, parsePieces, transferable, type Pieces } from './pieces';
 import {
   kLabels,
+  kPanel,
   kPicture,
   type EngineToPainter,
   type FromEngine,
   type Graphics,
   type RunRequest,
   type ToEngine,
+  type Wood,
 } from './protocol';
 import { scope } from './scope';
+import { blobOf as blobOfArtifact, fileOf, reportOf, woodOf, zipped } from './wood';
 
 const kPreviewPixels = 600_000;
 const kPreviewSites = 16_000;
@@ -29,6 +34,8 @@ const kPreviewPause = 33; // ms
 const kPreviewShare = 8; // of the time, at most one in so many parts goes into previews
 const kManyPieces = 50_000;
 const kSmallPiece = 3; // px²
+const kPanelSide = 1400; // px of a panel's picture on the page
+const kGrowingPause = 80; // ms
 const kNoGround = '#96928a';
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
@@ -83,18 +90,30 @@ async function boot({ base, threads, wasm, graphics: known }: ToEngine & { type:
   }
 }
 
+const kindIn = (slot: string) => (slot === kLabels ? 'numbers' : slot.startsWith(kPanel) ? 'see-through' : 'colours');
+
 async function takePicture({ id, slot, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
   try {
-    const opened = await open(blob, name, slot === kLabels);
+    const opened = await open(blob, name, kindIn(slot));
     pictures.set(slot, { opened });
-    const { bitmap, width, height } = opened;
+    const { bitmap, width, height, dpi } = opened;
+    const panel = slot.startsWith(kPanel) ? { dpi, small: await smallOf(bitmap, width, height) } : null;
     if (slot === kPicture) show({ type: 'source', bitmap, width, height }, [bitmap]);
     else bitmap.close();
-    tell({ type: 'picture', id, width, height });
+    tell({ type: 'picture', id, width, height, panel });
   } catch (error) {
     const message = error instanceof PictureError ? error.message : `“${name}” cannot be read. Choose another file.`;
     tell({ type: 'refused', id, message });
   }
+}
+
+/** For the page, which cannot show every kind of file by itself. */
+async function smallOf(bitmap: ImageBitmap, width: number, height: number): Promise<Blob> {
+  const small = await toLookAt(bitmap, width, height, kPanelSide);
+  const canvas = new OffscreenCanvas(small.width, small.height);
+  canvas.getContext('2d')?.drawImage(small, 0, 0);
+  small.close();
+  return canvas.convertToBlob();
 }
 
 /** The engine's copy of each picture of the job, whole or reduced as this run wants it; none of any other. */
@@ -108,9 +127,15 @@ async function setInputs(tessera: Tessera, { inputs, scale }: RunRequest): Promi
     if (scale < 1 && held.reduced?.scale !== scale) {
       held.reduced = { scale, picture: await scaled(held.whole, scale) };
     }
-    tessera.setInput(role, scale < 1 ? (held.reduced?.picture ?? null) : held.whole);
+    tessera.setInput(
+      role,
+      scale < 1 ? (held.reduced?.picture ?? null) : { ...pixelsIn(held.whole), dpi: held.opened.dpi },
+    );
   }
 }
+
+/** An ImageData's own members are not its own properties. */
+const pixelsIn = ({ data, width, height }: Picture): Picture => ({ data, width, height });
 
 async function run(id: number, request: RunRequest): Promise<void> {
   newest = id;
@@ -120,19 +145,27 @@ async function run(id: number, request: RunRequest): Promise<void> {
     if (request.backend === 'gl') lookForGraphics(engine, true);
     await setInputs(engine, request);
     if (newest !== id) return;
+    forecast(engine, id, request);
+    const clock = stageClock();
     const begin = performance.now();
     const result = engine.run(request.job, {
       backend: request.backend,
-      onStage: (stage) => tell({ type: 'stage', id, stage }),
+      onStage: (stage) => {
+        clock.begin(stage);
+        tell({ type: 'stage', id, stage });
+      },
       onProgress: (fraction) => tell({ type: 'progress', id, fraction }),
       onWarning: (message) => tell({ type: 'warning', id, message }),
       onIteration: previewer(id, request.scale),
+      ...grower(id, request),
     });
     const milliseconds = performance.now() - begin;
     const noise = isNoise(result);
     const png = noise || result.retouched ? blobOf(engine, 'png') : null;
-    const face = png && (await createImageBitmap(png));
     const pieces = noise ? sheetOf(request.job) : parsePieces(engine.artifact('json').bytes);
+    const folder = request.panels && (await openFolder(engine, request, pieces));
+    const seen = folder?.preview ?? png;
+    const face = seen && (await createImageBitmap(seen));
     const ground = noise ? kNoGround : groundOf(engine);
     tell({
       type: 'done',
@@ -141,19 +174,114 @@ async function run(id: number, request: RunRequest): Promise<void> {
       milliseconds,
       colours: countColours(pieces),
       pieces: request.pieces ? pieces : null,
+      wood: folder?.wood ?? null,
       onDemand: noise,
     });
     const seamless = request.job.params['seamless'] === true;
     show(
-      { type: 'pieces', id, pieces, ground, scale: request.scale, seamless, face },
+      { type: 'pieces', id, pieces, ground, scale: folder?.scale ?? request.scale, seamless, face },
       face ? [...transferable(pieces), face] : transferable(pieces),
     );
     const formats = noise ? ['png'] : request.formats;
-    if (request.scale === 1) await makeFiles(engine, id, formats, png);
+    const made = new Map(png ? [['png', png]] : []);
+    if (folder)
+      made.set('folder', zipped({ files: folder.files, report: reportOfRun(engine, request, result, clock.end()) }));
+    if (request.scale === 1) await makeFiles(engine, id, formats, made);
     if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }
+}
+
+/** How long each stage took. */
+function stageClock() {
+  const stages: { name: string; ms: number }[] = [];
+  let since = performance.now();
+  const end = () => {
+    const last = stages.at(-1);
+    if (last && !last.ms) last.ms = performance.now() - since;
+    return stages;
+  };
+  const begin = (name: string) => {
+    end();
+    since = performance.now();
+    stages.push({ name, ms: 0 });
+  };
+  return { begin, end };
+}
+
+/** Whether the wood suffices; what is wrong with it, the run will say. */
+function forecast(tessera: Tessera, id: number, { job, panels }: RunRequest): void {
+  if (!panels) return;
+  try {
+    tell({ type: 'forecast', id, text: tessera.ask('forecast', job) });
+  } catch (error) {
+    if (!(error instanceof TesseraError)) throw error;
+  }
+}
+
+const dpiIn = (slot: string) => pictures.get(slot)?.opened.dpi ?? 0;
+const dpisOf = (panels: NonNullable<RunRequest['panels']>) =>
+  panels.map(({ name, dpi }) => ({ dpi: dpi || dpiIn(kPanel + name) }));
+
+/** Shows a parquetry piece by piece, some frames a second. */
+function grower(id: number, { job, panels }: RunRequest): { onState?(state: () => string): void } {
+  const target = pictures.get(kPicture)?.opened;
+  if (!panels || !target) return {};
+  const scans = [...panels]
+    .sort((a, b) => (a.name < b.name ? -1 : 1))
+    .flatMap(({ name, dpi }) => {
+      const held = pictures.get(kPanel + name);
+      return held?.whole ? { name, dpi: dpi || held.opened.dpi, picture: held.whole } : [];
+    });
+  const growing = new Growing(scans, target, Number(job.params['imageSizeMm']), Number(job.params['resolutionDpi']));
+  let shown = -Infinity;
+  return {
+    onState: (state) => {
+      if (performance.now() - shown < kGrowingPause) return;
+      shown = performance.now();
+      const pieces = growing.take(state());
+      const bitmap = growing.bitmap();
+      show({ type: 'growing', id, bitmap }, [bitmap]);
+      tell({ type: 'laid', id, pieces });
+    },
+  };
+}
+
+interface Folder {
+  files: readonly Artifact[];
+  preview: Blob | null;
+  wood: Wood;
+  /** Of its pixels, to one of the target. */
+  scale: number;
+}
+
+async function openFolder(tessera: Tessera, { job, panels }: RunRequest, pieces: Pieces): Promise<Folder> {
+  const files = tessera.artifacts('folder');
+  const preview = fileOf(files, 'preview.png');
+  const mmPerPx = 25.4 / matchingDpi(dpisOf(panels ?? []), Number(job.params['resolutionDpi']));
+  const names = (panels ?? []).map(({ name }) => name);
+  return {
+    files,
+    preview: preview ? blobOfArtifact(preview) : null,
+    wood: await woodOf(files, pieces, mmPerPx, names),
+    scale: pieces.width / (pictures.get(kPicture)?.opened.width ?? pieces.width),
+  };
+}
+
+function reportOfRun(
+  tessera: Tessera,
+  { job, inputs }: RunRequest,
+  result: RunResult,
+  stages: ReturnType<ReturnType<typeof stageClock>['end']>,
+) {
+  const sizes = new Map(
+    Object.entries(inputs).flatMap(([role, slot]) => {
+      const opened = pictures.get(slot)?.opened;
+      return opened ? [[role, { width: opened.width, height: opened.height }] as const] : [];
+    }),
+  );
+  return reportOf(tessera.version, tessera.threads, job, sizes, result, stages);
 }
 
 /** Pieces so many and so small that their picture is all there is to see. */
@@ -187,12 +315,17 @@ function blobOf(tessera: Tessera, format: string): Blob {
   return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mediaType });
 }
 
-/** `png`: that file, where it is there already. */
-async function makeFiles(tessera: Tessera, id: number, formats: readonly string[], png: Blob | null): Promise<void> {
+/** `made`: files that are there already. */
+async function makeFiles(
+  tessera: Tessera,
+  id: number,
+  formats: readonly string[],
+  made: ReadonlyMap<string, Blob>,
+): Promise<void> {
   for (const format of formats) {
     await breathe();
     if (newest !== id) return;
-    tell({ type: 'file', id, format, blob: (format === 'png' && png) || blobOf(tessera, format) });
+    tell({ type: 'file', id, format, blob: made.get(format) ?? blobOf(tessera, format) });
   }
 }
 

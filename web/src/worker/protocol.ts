@@ -29,6 +29,49 @@ export const kPicture = 'picture';
 /** The role, and the slot, of a label picture: its pixels are numbers, not colours. */
 export const kLabels = 'segmentation';
 
+/** Roles, and slots, of scans of wood and of their masks are these with a name: "panel-oak". */
+export const kPanel = 'panel-';
+export const kMask = 'mask-';
+
+/** A panel as the page knows it before it is asked of the engine. */
+export interface PanelScale {
+  /** "oak". */
+  name: string;
+  /** 0: as its file says. */
+  dpi: number;
+}
+
+/** A piece of wood: rows and columns of numbers are in millimetres, degrees turn clockwise. */
+export interface WoodPiece {
+  /** "C12". */
+  id: string;
+  row: number;
+  column: number;
+  panel: string;
+  /** Its outline's corners on the panel, x and y, from the scan's top left. */
+  onPanel: number[];
+  /** How far it is turned from the panel to the finished piece. */
+  turn: number;
+  cost: number;
+}
+
+/** What a panel looks like: its scan, or what has been made of it. */
+export interface PanelPicture {
+  name: string;
+  widthMm: number;
+  heightMm: number;
+  picture: Blob;
+  /** Its pieces' names, in the order they are cut. */
+  order: string[];
+}
+
+/** What became of the wood. `pieces`: in the order of the run's. */
+export interface Wood {
+  pieces: WoodPiece[];
+  panels: PanelPicture[];
+  assembly: Blob;
+}
+
 export interface RunRequest {
   job: Job;
   /** The slot of each picture that the job has, by its role. */
@@ -40,6 +83,8 @@ export interface RunRequest {
   formats: string[];
   /** The page wants the pieces, too. */
   pieces: boolean;
+  /** Of a technique that is made of wood: its panels. */
+  panels: readonly PanelScale[] | null;
 }
 
 /** The file that statistics are taken from: cells or points as they are, or the picture of them. */
@@ -62,7 +107,12 @@ export type FromEngine =
   | { type: 'ready'; info: EngineInfo; stopFlag: Int32Array | null }
   | { type: 'broken'; message: string }
   | { type: 'graphics'; graphics: Graphics }
-  | { type: 'picture'; id: number; width: number; height: number }
+  /** `panel`: of a panel, in the slot that says so. */
+  | { type: 'picture'; id: number; width: number; height: number; panel: { dpi: number; small: Blob } | null }
+  /** Before a run: whether the wood suffices, in lines. */
+  | { type: 'forecast'; id: number; text: string }
+  /** Pieces of wood that have been laid since the last time. */
+  | { type: 'laid'; id: number; pieces: WoodPiece[] }
   | { type: 'refused'; id: number; message: string }
   | { type: 'stage'; id: number; stage: string }
   | { type: 'progress'; id: number; fraction: number }
@@ -75,6 +125,7 @@ export type FromEngine =
       milliseconds: number;
       colours: ColourCount[];
       pieces: Pieces | null;
+      wood: Wood | null;
       /** Pieces are so many that files besides the picture are made when they are asked for. */
       onDemand: boolean;
     }
@@ -94,6 +145,8 @@ export type EngineToPainter =
   /** What a sheet is compared with, that was made without a picture. */
   | { type: 'compared'; bitmap: ImageBitmap }
   | { type: 'preview'; id: number; preview: Preview; scale: number }
+  /** As much as there is of a picture that grows piece by piece. */
+  | { type: 'growing'; id: number; bitmap: ImageBitmap }
   | {
       type: 'pieces';
       id: number;

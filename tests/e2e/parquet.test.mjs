@@ -1,0 +1,307 @@
+// The Parquetry tab as people use it: a target and scans of wood in, cut files out.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { crc32, deflateSync } from 'node:zlib';
+import { unzipSync } from 'fflate';
+import { closeBrowser, withApp } from './browser/app.mjs';
+import { checkLook, looks } from './browser/looks.mjs';
+import { inFolder, native } from './native.mjs';
+
+after(closeBrowser);
+
+/** A PNG of grey or, with opacities, grey with alpha; `dpi` 0 does not tell its resolution. */
+function png(width, height, dpi, greyAt, alphaAt = null) {
+  const chunk = (kind, data) => {
+    const body = Buffer.concat([Buffer.from(kind, 'latin1'), data]);
+    const [length, sum] = [Buffer.alloc(4), Buffer.alloc(4)];
+    length.writeUInt32BE(data.length);
+    sum.writeUInt32BE(crc32(body));
+    return Buffer.concat([length, body, sum]);
+  };
+  const channels = alphaAt ? 4 : 3;
+  const lines = Buffer.alloc(height * (1 + channels * width));
+  for (let y = 0, at = 0; y < height; ++y) {
+    ++at; // no filter
+    for (let x = 0; x < width; ++x) {
+      const grey = Math.max(0, Math.min(255, Math.round(greyAt(x, y))));
+      for (let c = 0; c < 3; ++c) lines[at++] = grey;
+      if (alphaAt) lines[at++] = alphaAt(x, y);
+    }
+  }
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set([8, alphaAt ? 6 : 2, 0, 0, 0], 8);
+  const scale = Buffer.alloc(9);
+  scale.writeUInt32BE(Math.round(dpi / 0.0254), 0);
+  scale.writeUInt32BE(Math.round(dpi / 0.0254), 4);
+  scale[8] = 1;
+  return Buffer.concat([
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]),
+    chunk('IHDR', header),
+    ...(dpi ? [chunk('pHYs', scale)] : []),
+    chunk('IDAT', deflateSync(lines)),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
+}
+
+/** Dark where it is near the middle. */
+const target = png(120, 100, 0, (x, y) => 3.4 * Math.hypot(x - 60, y - 50));
+/** Boards of 160 x 120 mm or so: light to dark, with grain along x. */
+const grain = (x, y, phase) => 120 + 90 * Math.sin(x / 70 + phase) + 30 * Math.sin(y / 3 + Math.sin(x / 40)) + ((x * 7 + y * 13) % 11);
+const oak = png(320, 240, 50, (x, y) => grain(x, y, 0));
+const elm = png(320, 240, 50, (x, y) => grain(x, y, 2) - 40);
+
+/** The tab on small pictures of one's own; `use` gets them in a folder. */
+const withParquet = (options, use) =>
+  inFolder(async (folder) => {
+    const files = { 'target.png': target, 'oak.png': oak, 'elm.png': elm };
+    for (const [name, bytes] of Object.entries(files)) writeFileSync(join(folder, name), bytes);
+    const hash = '#technique=parquetry&imageSizeMm=60&patchMm=10&rotations=4';
+    await withApp({ isolated: true, hash, ...options }, async (app, page) => {
+      await app.finished();
+      await use(app, page, folder);
+    });
+  });
+
+const chooseTarget = (page, path) => page.getByLabel('Target', { exact: true }).setInputFiles(path);
+const choosePanels = (page, ...paths) => page.getByLabel('Panels', { exact: true }).setInputFiles(paths);
+
+/** Until another run than before is done. */
+async function change(app, act) {
+  const link = app.link('Download job');
+  const before = (await link.count()) ? await link.getAttribute('href') : '';
+  await act();
+  await app.page.waitForFunction((old) => {
+    const now = document.querySelector('a[aria-label="Download job"]');
+    return now && now.getAttribute('href') !== old;
+  }, before);
+  await app.finished();
+}
+
+async function chooseAll(app, page, folder) {
+  await change(app, () => chooseTarget(page, join(folder, 'target.png')));
+  await change(app, () => choosePanels(page, join(folder, 'oak.png'), join(folder, 'elm.png')));
+}
+
+const unzip = ({ bytes }) => new Map(Object.entries(unzipSync(bytes)).map(([name, data]) => [name, Buffer.from(data)]));
+const rowsOf = (csv) => csv.toString().trim().split('\n').slice(1).map((line) => line.split(','));
+
+for (const isolated of [true, false]) {
+  const build = isolated ? 'threads' : 'single';
+
+  test(`${build}: a folder of cut files, the same as the native program's`, async () => {
+    await withParquet({ isolated }, async (app, page, folder) => {
+      assert.equal((await app.threads()) > 1, isolated);
+      await chooseAll(app, page, folder);
+      const job = await app.download('job');
+      const zip = await app.download('ZIP');
+      assert.equal(zip.name, 'target-parquetry.zip');
+      assert.deepEqual(JSON.parse(job.text).inputs, {
+        target: 'target.png',
+        'panel-oak': 'oak.png',
+        'panel-elm': 'elm.png',
+      });
+      const files = unzip(zip);
+      writeFileSync(join(folder, 'job.json'), job.text);
+      native('run', join(folder, 'job.json'), '-o', join(folder, 'out/'));
+      const made = readdirSync(join(folder, 'out')).sort();
+      assert.deepEqual([...files.keys()].sort(), made);
+      assert.ok(made.includes('panel-elm.cut.dxf'), made.join());
+      for (const name of made.filter((name) => /\.(csv|png|dxf)$/.test(name)))
+        assert.ok(files.get(name).equals(readFileSync(join(folder, 'out', name))), `${name} differs`);
+      for (const name of made.filter((name) => name.endsWith('.svg'))) {
+        const drawn = (svg) => svg.toString().replace(/<metadata>[\s\S]*?<\/metadata>/, '');
+        assert.equal(drawn(files.get(name)), drawn(readFileSync(join(folder, 'out', name))), name);
+      }
+      assert.deepEqual(JSON.parse(files.get('job.json')), JSON.parse(job.text));
+      const report = JSON.parse(files.get('report.json'));
+      const nativeReport = JSON.parse(readFileSync(join(folder, 'out/report.json')));
+      assert.deepEqual(report.counts, nativeReport.counts);
+      assert.deepEqual(report.metrics, nativeReport.metrics);
+      const told = await page.locator('.bar-text strong').textContent();
+      assert.equal(told, `${rowsOf(files.get('pieces.csv')).length} pieces`);
+    });
+  });
+}
+
+test('pieces come one after the other, and a run is cancelled', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await app.set('Patch mm', 5);
+    await app.set('Rotations', 120);
+    await page.waitForFunction(() => {
+      const cuts = [...document.querySelectorAll('.wood-sheet')].map((sheet) => Number(sheet.dataset.cuts));
+      const count = cuts.reduce((sum, n) => sum + n, 0);
+      return document.querySelector('.bar[data-busy=true]') && count > 5 && count < 150;
+    });
+    await app.button('Cancel').click();
+    await page.getByText('Cancelled', { exact: true }).first().waitFor();
+    await page.locator('.bar[data-busy=false]').waitFor();
+    await app.set('Rotations', 4);
+    await app.finished();
+    assert.equal(JSON.parse((await app.download('job')).text).params.rotations, 4);
+  });
+});
+
+test('a piece is pointed at on the picture and on the wood', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    const rows = rowsOf(unzip(await app.download('ZIP')).get('pieces.csv'));
+    const [place] = await app.onPicture(120, 100, [[0.5 / 7, 0.5 / 6]]);
+    await page.mouse.move(...place);
+    await page.locator('.piece-label').getByText('A1', { exact: true }).waitFor();
+    const [, , , , panel] = rows.find(([id]) => id === 'A1');
+    await page.locator(`.wood-sheet[data-panel=${panel}] .wood-chosen`).waitFor();
+    // And the other way around: the middle of a piece on its board.
+    const [id, , , , board, x, y] = rows.at(-1);
+    const box = await page.locator(`.wood-sheet[data-panel=${board}] svg`).boundingBox();
+    const scale = Math.min(box.width / 162.56, box.height / 121.92);
+    const [left, top] = [box.x + (box.width - 162.56 * scale) / 2, box.y + (box.height - 121.92 * scale) / 2];
+    await page.mouse.move(left + Number(x) * scale, top + Number(y) * scale);
+    await page.locator('.piece-label').getByText(id, { exact: true }).waitFor();
+    await page.locator('.wood-label').getByText(id, { exact: true }).waitFor();
+    assert.equal(await page.locator('.chosen-piece path').count(), 1);
+    await page.mouse.move(5, 5);
+    await page.locator('.piece-label').waitFor({ state: 'detached' });
+    // Keys alone.
+    await page.locator('.stage-canvas').focus();
+    await page.keyboard.press('n');
+    await page.locator('.wood-label').getByText(rows[0][0], { exact: true }).waitFor();
+    await page.keyboard.press('b');
+    await page.locator('.wood-label').getByText(id, { exact: true }).waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('.wood-label').waitFor({ state: 'hidden' });
+  });
+});
+
+test('a dot goes along the cuts, but not for those who want no motion', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await app.button('Cut').click();
+    const dot = page.locator('.wood-sheet[data-panel=oak] .laser');
+    const at = () => dot.evaluate((circle) => circle.getBoundingClientRect().x);
+    const before = await at();
+    await page.waitForFunction((x) => document.querySelector('[data-panel=oak] .laser').getBoundingClientRect().x !== x, before);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await dot.waitFor({ state: 'detached' });
+    assert.equal(await app.button('Cut').count(), 0);
+  });
+});
+
+test('panels have names, resolutions and masks; what was changed is undone', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await change(app, async () => {
+      await page.getByLabel('Name of oak').fill('my oak');
+      await page.getByLabel('Name of oak').press('Enter');
+    });
+    assert.ok('panel-my-oak' in JSON.parse((await app.download('job')).text).inputs);
+    await change(app, () => page.getByLabel('Resolution of elm, dpi').fill('100'));
+    assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
+    // Wood on the left half only.
+    writeFileSync(join(folder, 'half.png'), png(320, 240, 0, (x) => (x < 160 ? 255 : 0)));
+    await change(app, () => page.getByLabel('Mask of my-oak').setInputFiles(join(folder, 'half.png')));
+    const rows = rowsOf(unzip(await app.download('ZIP')).get('pieces.csv'));
+    const onOak = rows.filter((row) => row[4] === 'my-oak');
+    assert.ok(onOak.length > 0);
+    assert.ok(onOak.every((row) => Number(row[5]) < 81.3), 'cut where there is no wood');
+    await change(app, () => app.button('Remove elm').click());
+    assert.equal(JSON.parse((await app.download('job')).text).inputs['panel-elm'], undefined);
+    await change(app, () => app.button('Undo').click());
+    assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
+  });
+});
+
+test("a scan's opacity is its mask", async () => {
+  await withParquet({}, async (app, page, folder) => {
+    const half = png(320, 240, 50, (x, y) => grain(x, y, 0), (x) => (x < 160 ? 255 : 0));
+    writeFileSync(join(folder, 'half.png'), half);
+    await change(app, () => chooseTarget(page, join(folder, 'target.png')));
+    await change(app, () => choosePanels(page, join(folder, 'half.png')));
+    const rows = rowsOf(unzip(await app.download('ZIP')).get('pieces.csv'));
+    assert.ok(rows.length > 0);
+    assert.ok(rows.every((row) => Number(row[5]) < 81.3));
+  });
+});
+
+test('a forecast comes first, and wood that runs out is told', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    const forecast = page.getByRole('list', { name: 'Forecast' });
+    await forecast.getByText('The wood suffices').waitFor();
+    await app.set('Image size', 200);
+    await forecast.getByText(/does not suffice/).waitFor();
+    await page.getByRole('alert').getByText(/no wood is left for \d+ of \d+ patches/).waitFor();
+    await app.finished();
+    assert.match(await page.locator('.bar-text').textContent(), /without wood/);
+  });
+});
+
+test('what is wrong is told, and everything stays', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    writeFileSync(join(folder, 'broken.png'), 'no picture');
+    await choosePanels(page, join(folder, 'broken.png'));
+    await page.getByRole('alert').getByText(/broken.png.* is not a picture/).waitFor();
+    assert.equal(await page.locator('.wood-sheet').count(), 2);
+    await page.getByLabel('Mask of oak').setInputFiles(join(folder, 'target.png'));
+    await page.getByRole('alert').getByText(/oak has a mask of 120 x 100 px/).waitFor();
+    await change(app, () => app.button('Undo').click());
+    await app.set('Patch mm', 3);
+    await page.getByText(/is less than minWidthMm/).first().waitFor();
+    await change(app, () => app.set('Patch mm', 12));
+    await app.button('Remove oak').click();
+    await app.button('Remove elm').click();
+    await page.getByRole('alert').getByText('A panel of wood is missing').waitFor();
+    await change(app, () => app.button('Undo').click());
+  });
+});
+
+test('a job is opened again', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    const job = await app.download('job');
+    writeFileSync(join(folder, 'job.json'), job.text);
+    await change(app, () => app.set('Patch mm', 15));
+    await change(app, () => app.openJob(join(folder, 'job.json')));
+    assert.deepEqual(JSON.parse((await app.download('job')).text), JSON.parse(job.text));
+    assert.equal(await page.getByRole('alert').count(), 0);
+    await page.goto(`${app.host.address}#technique=parquetry&imageSizeMm=60&patchMm=15&rotations=4`);
+    await page.reload();
+    await app.finished();
+    await app.openJob(join(folder, 'job.json'));
+    await page.getByRole('alert').getByText(/“elm.png” and “oak.png”/).waitFor();
+  });
+});
+
+test('the first visit sees its sample grow, by keys alone', async () => {
+  await withApp({ isolated: true, hash: '' }, async (app, page) => {
+    await app.finished();
+    await page.getByRole('tab', { name: 'Pavement' }).focus();
+    await page.keyboard.press('End');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => Number(document.querySelector('.wood-sheet')?.dataset.cuts) > 5);
+    await app.finished();
+    assert.match(await page.locator('.bar-text strong').textContent(), /^\d+ pieces$/);
+    assert.ok((await app.download('ZIP')).bytes.length > 10_000);
+  });
+});
+
+for (const { name, ...options } of looks) {
+  test(`looks right and has nothing that shuts people out: ${name}`, async () => {
+    await withApp({ isolated: true, hash: '#technique=parquetry&imageSizeMm=100&patchMm=8&rotations=8', ...options }, async (app, page) => {
+      await app.finished();
+      await page.locator(name.startsWith('phone') ? '.half-switch' : '.wood-sheet image').first().waitFor();
+      await page.locator('.stage-canvas').focus();
+      for (let i = 0; i < 40; ++i) await page.keyboard.press('n');
+      await page.waitForTimeout(400); // until the stage has drawn
+      await checkLook(page, `parquetry-${name}`);
+      if (!name.startsWith('phone')) return;
+      await page.getByRole('button', { name: 'Wood', exact: true }).click();
+      await checkLook(page, `parquetry-wood-${name}`);
+    });
+  });
+}
