@@ -46,7 +46,11 @@ Circle largest_inscribed(const Polygon& outline, double precision) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const auto worse = [](const Square& a, const Square& b) { return a.at_best() < b.at_best(); };
+  // Heaps of different standard libraries do not have equals in one order.
+  const auto worse = [](const Square& a, const Square& b) {
+    if (a.at_best() != b.at_best()) return a.at_best() < b.at_best();
+    return a.centre.y != b.centre.y ? a.centre.y > b.centre.y : a.centre.x > b.centre.x;
+  };
   std::priority_queue<Square, std::vector<Square>, decltype(worse)> squares(worse);
   Square best{centroid(outline.outer), 0, depth(outline, centroid(outline.outer))};
   const auto add = [&](Point centre, double half) {

@@ -276,8 +276,8 @@ std::string measure_file(const val& bytes, const std::string& options, const val
 std::string measure_pixels(const val& rgba, int width, int height, const std::string& options, const val& watcher) {
   const auto picture = picture_of("", rgba, width, height);
   if (!picture) return problems_text({picture.error()});
-  return measured_text(options,
-                       [&](const MeasureOptions& o) { return engine().measure(picture->rgb, o, context_for(watcher)); });
+  return measured_text(
+      options, [&](const MeasureOptions& o) { return engine().measure(picture->rgb, o, context_for(watcher)); });
 }
 
 std::string fit(const val& rgba, int width, int height, double seed, const val& watcher) {

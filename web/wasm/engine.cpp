@@ -84,7 +84,8 @@ tl::expected<Artifact, Problems> Engine::artifact(const std::string& format) con
 
 tl::expected<std::string, Problems> Engine::ask(const std::string& question, const Job& job, RunContext context) {
   const auto& questions = technique_of(job.params).questions;
-  const auto asked = std::find_if(questions.begin(), questions.end(), [&](const Question& q) { return q.name == question; });
+  const auto asked =
+      std::find_if(questions.begin(), questions.end(), [&](const Question& q) { return q.name == question; });
   if (asked == questions.end())
     return tl::unexpected<Problems>(
         Problems{{StatusCode::kInvalidParameter, question, "is no question of the technique"}});
