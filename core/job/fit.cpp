@@ -241,38 +241,56 @@ Marks mean_of(const std::vector<Marks>& samples) {
 }
 
 // How far marks are apart, in standard deviations of a mark on average (Mahalanobis). Five pictures of a model are
-// few to tell how its marks vary together: all models' are pooled, and what two marks share counts for less.
+// few to tell how its marks vary together: all models' are pooled, and what two marks share counts for less. By plain
+// sums, the same on every platform.
 class Nearness {
  public:
   // Of each model the marks of its own pictures.
-  explicit Nearness(const std::vector<std::vector<Marks>>& own) {
+  explicit Nearness(const std::vector<std::vector<Marks>>& own)
+      : root_(own[0][0].size(), Marks(own[0][0].size(), 0)) {
     constexpr double kShared = 0.7, kLeast = 1e-5;
-    const int n = static_cast<int>(own[0][0].size());
-    covariance_ = cv::Mat1d::zeros(n, n);
     double freedom = 0;
     for (const std::vector<Marks>& samples : own) {
-      const Marks mean = mean_of(samples);
-      for (const Marks& sample : samples) {
-        const cv::Mat1d off = cv::Mat1d(sample, true) - cv::Mat1d(mean, true);
-        covariance_ += off * off.t();
-      }
+      add_variation(samples);
       freedom += static_cast<double>(samples.size()) - 1;
     }
-    covariance_ /= freedom;
-    for (int i = 0; i < n; ++i)
-      for (int k = 0; k < n; ++k)
-        covariance_(i, k) = i == k ? covariance_(i, k) + kLeast : kShared * covariance_(i, k);
+    for (std::size_t i = 0; i < root_.size(); ++i)
+      for (std::size_t k = 0; k <= i; ++k)
+        root_[i][k] = i == k ? root_[i][k] / freedom + kLeast : kShared * root_[i][k] / freedom;
+    factor();
   }
 
+  // The length of L^-1 (a - b).
   double distance(const Marks& a, const Marks& b) const {
-    const cv::Mat1d off = cv::Mat1d(a, true) - cv::Mat1d(b, true);
-    cv::Mat1d weighed;
-    cv::solve(covariance_, off, weighed, cv::DECOMP_CHOLESKY);
-    return std::sqrt(off.dot(weighed) / static_cast<double>(a.size()));
+    Marks off(a.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      off[i] = a[i] - b[i];
+      for (std::size_t k = 0; k < i; ++k) off[i] -= root_[i][k] * off[k];
+      off[i] /= root_[i][i];
+      sum += off[i] * off[i];
+    }
+    return std::sqrt(sum / static_cast<double>(a.size()));
   }
 
  private:
-  cv::Mat1d covariance_;
+  void add_variation(const std::vector<Marks>& samples) {
+    const Marks mean = mean_of(samples);
+    for (const Marks& sample : samples)
+      for (std::size_t i = 0; i < mean.size(); ++i)
+        for (std::size_t k = 0; k <= i; ++k) root_[i][k] += (sample[i] - mean[i]) * (sample[k] - mean[k]);
+  }
+
+  // The covariance becomes its L of L L^T (Cholesky); what two marks share has been lessened, so there is one.
+  void factor() {
+    for (std::size_t i = 0; i < root_.size(); ++i)
+      for (std::size_t k = 0; k <= i; ++k) {
+        for (std::size_t m = 0; m < k; ++m) root_[i][k] -= root_[i][m] * root_[k][m];
+        root_[i][k] = i == k ? std::sqrt(root_[i][i]) : root_[i][k] / root_[k][k];
+      }
+  }
+
+  std::vector<Marks> root_;  // lower triangular
 };
 
 // ---- What is seen, and what could explain it
