@@ -40,12 +40,6 @@ struct Labels {
   double by_chance = 0;        // the chance that two cells have one class
 };
 
-double sum_of_squares(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return sum;
-}
-
 Labels reduced(const Classes& classes) {
   const double crossings = std::max(statistics::boundary_crossings(classes), 1e-6);
   const int by_spacing = static_cast<int>(1 / crossings / kWantedSpacing);
@@ -57,7 +51,7 @@ Labels reduced(const Classes& classes) {
     for (int x = 0; x < labels.map.cols; ++x)
       labels.map(y, x) = classes.labels(y * factor + factor / 2, x * factor + factor / 2);
   labels.shares = statistics::shares_of(classes);
-  labels.by_chance = sum_of_squares(labels.shares);
+  labels.by_chance = statistics::agreement_by_chance(labels.shares);
   return labels;
 }
 
@@ -388,7 +382,7 @@ int noise_step(const Classes& classes) {
     if (cv::countNonZero(labels.row(y) != labels.row(y - 1)) > 0) step = std::gcd(step, y);
   if (step == 0) return 0;
   const double changes = statistics::boundary_crossings(classes) * step;
-  const double by_chance = 1 - sum_of_squares(statistics::shares_of(classes));
+  const double by_chance = 1 - statistics::agreement_by_chance(statistics::shares_of(classes));
   return std::abs(changes - by_chance) < 0.1 * by_chance ? step : 0;
 }
 

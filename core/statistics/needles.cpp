@@ -40,12 +40,6 @@ GreyMoments grey_moments(const cv::Mat3b& pixels) {
   return m;
 }
 
-double sum_of_squares(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return sum;
-}
-
 // Sums over the needles of one length, then made chances.
 class Tally {
  public:
@@ -118,12 +112,18 @@ std::vector<double> shares_of(const Classes& classes) {
   return shares;
 }
 
+double agreement_by_chance(const std::vector<double>& shares) {
+  double sum = 0;
+  for (const double share : shares) sum += share * share;
+  return sum;
+}
+
 std::vector<NeedleStatistics> throw_needles(const ImageView& picture, const Classes& classes,
                                             const std::vector<double>& distances, int needles, Rng& rng,
                                             const RunContext& context) {
   const cv::Mat3b pixels = picture.mat();
   const GreyMoments grey = grey_moments(pixels);
-  const double by_chance = sum_of_squares(shares_of(classes));
+  const double by_chance = agreement_by_chance(shares_of(classes));
   std::vector<NeedleStatistics> all;
   for (const double d : distances) {
     if (!context.check()) break;

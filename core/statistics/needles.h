@@ -52,4 +52,7 @@ double boundary_crossings(const Classes& classes);
 // Shares of the classes.
 std::vector<double> shares_of(const Classes& classes);
 
+// The chance that two independent things have one class of those shares.
+double agreement_by_chance(const std::vector<double>& shares);
+
 }  // namespace tessera::statistics

@@ -69,21 +69,9 @@ const withParquet = (options, use) =>
 const chooseTarget = (page, path) => page.getByLabel('Target', { exact: true }).setInputFiles(path);
 const choosePanels = (page, ...paths) => page.getByLabel('Panels', { exact: true }).setInputFiles(paths);
 
-/** Until another run than before is done. */
-async function change(app, act) {
-  const link = app.link('Download job');
-  const before = (await link.count()) ? await link.getAttribute('href') : '';
-  await act();
-  await app.page.waitForFunction((old) => {
-    const now = document.querySelector('a[aria-label="Download job"]');
-    return now && now.getAttribute('href') !== old;
-  }, before);
-  await app.finished();
-}
-
 async function chooseAll(app, page, folder) {
-  await change(app, () => chooseTarget(page, join(folder, 'target.png')));
-  await change(app, () => choosePanels(page, join(folder, 'oak.png'), join(folder, 'elm.png')));
+  await app.change(() => chooseTarget(page, join(folder, 'target.png')));
+  await app.change(() => choosePanels(page, join(folder, 'oak.png'), join(folder, 'elm.png')));
 }
 
 const unzip = ({ bytes }) => new Map(Object.entries(unzipSync(bytes)).map(([name, data]) => [name, Buffer.from(data)]));
@@ -194,23 +182,23 @@ test('a dot goes along the cuts, but not for those who want no motion', async ()
 test('panels have names, resolutions and masks; what was changed is undone', async () => {
   await withParquet({}, async (app, page, folder) => {
     await chooseAll(app, page, folder);
-    await change(app, async () => {
+    await app.change(async () => {
       await page.getByLabel('Name of oak').fill('my oak');
       await page.getByLabel('Name of oak').press('Enter');
     });
     assert.ok('panel-my-oak' in JSON.parse((await app.download('job')).text).inputs);
-    await change(app, () => page.getByLabel('Resolution of elm, dpi').fill('100'));
+    await app.change(() => page.getByLabel('Resolution of elm, dpi').fill('100'));
     assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
     // Wood on the left half only.
     writeFileSync(join(folder, 'half.png'), png(320, 240, 0, (x) => (x < 160 ? 255 : 0)));
-    await change(app, () => page.getByLabel('Mask of my-oak').setInputFiles(join(folder, 'half.png')));
+    await app.change(() => page.getByLabel('Mask of my-oak').setInputFiles(join(folder, 'half.png')));
     const rows = rowsOf(unzip(await app.download('ZIP')).get('pieces.csv'));
     const onOak = rows.filter((row) => row[4] === 'my-oak');
     assert.ok(onOak.length > 0);
     assert.ok(onOak.every((row) => Number(row[5]) < 81.3), 'cut where there is no wood');
-    await change(app, () => app.button('Remove elm').click());
+    await app.change(() => app.button('Remove elm').click());
     assert.equal(JSON.parse((await app.download('job')).text).inputs['panel-elm'], undefined);
-    await change(app, () => app.button('Undo').click());
+    await app.change(() => app.button('Undo').click());
     assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
   });
 });
@@ -219,8 +207,8 @@ test("a scan's opacity is its mask", async () => {
   await withParquet({}, async (app, page, folder) => {
     const half = png(320, 240, 50, (x, y) => grain(x, y, 0), (x) => (x < 160 ? 255 : 0));
     writeFileSync(join(folder, 'half.png'), half);
-    await change(app, () => chooseTarget(page, join(folder, 'target.png')));
-    await change(app, () => choosePanels(page, join(folder, 'half.png')));
+    await app.change(() => chooseTarget(page, join(folder, 'target.png')));
+    await app.change(() => choosePanels(page, join(folder, 'half.png')));
     const rows = rowsOf(unzip(await app.download('ZIP')).get('pieces.csv'));
     assert.ok(rows.length > 0);
     assert.ok(rows.every((row) => Number(row[5]) < 81.3));
@@ -249,14 +237,14 @@ test('what is wrong is told, and everything stays', async () => {
     assert.equal(await page.locator('.wood-sheet').count(), 2);
     await page.getByLabel('Mask of oak').setInputFiles(join(folder, 'target.png'));
     await page.getByRole('alert').getByText(/oak has a mask of 120 x 100 px/).waitFor();
-    await change(app, () => app.button('Undo').click());
+    await app.change(() => app.button('Undo').click());
     await app.set('Patch mm', 3);
     await page.getByText(/is less than minWidthMm/).first().waitFor();
-    await change(app, () => app.set('Patch mm', 12));
+    await app.change(() => app.set('Patch mm', 12));
     await app.button('Remove oak').click();
     await app.button('Remove elm').click();
     await page.getByRole('alert').getByText('A panel of wood is missing').waitFor();
-    await change(app, () => app.button('Undo').click());
+    await app.change(() => app.button('Undo').click());
   });
 });
 
@@ -265,8 +253,8 @@ test('a job is opened again', async () => {
     await chooseAll(app, page, folder);
     const job = await app.download('job');
     writeFileSync(join(folder, 'job.json'), job.text);
-    await change(app, () => app.set('Patch mm', 15));
-    await change(app, () => app.openJob(join(folder, 'job.json')));
+    await app.change(() => app.set('Patch mm', 15));
+    await app.change(() => app.openJob(join(folder, 'job.json')));
     assert.deepEqual(JSON.parse((await app.download('job')).text), JSON.parse(job.text));
     assert.equal(await page.getByRole('alert').count(), 0);
     await page.goto(`${app.host.address}#technique=parquetry&imageSizeMm=60&patchMm=15&rotations=4`);

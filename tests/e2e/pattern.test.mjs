@@ -36,19 +36,7 @@ const coloursAt = (page, png, places) =>
     [png.toString('base64'), places],
   );
 
-/** Until another run than before is done; most are over before one could see them going on. */
-async function change(app, act) {
-  const link = app.link('Download job');
-  const before = (await link.count()) ? await link.getAttribute('href') : '';
-  await act();
-  await app.page.waitForFunction((old) => {
-    const now = document.querySelector('a[aria-label="Download job"]');
-    return now && now.getAttribute('href') !== old;
-  }, before);
-  await app.finished();
-}
-
-const choose = (app, model) => change(app, () => app.button(model).click());
+const choose = (app, model) => app.change(() => app.button(model).click());
 
 for (const isolated of [true, false]) {
   const build = isolated ? 'threads' : 'single';
@@ -79,14 +67,14 @@ for (const isolated of [true, false]) {
       await page.mouse.move(box.x + 0.2 * box.width, places[0][1]);
       await page.mouse.down();
       for (const place of places) {
-        await change(app, () => page.mouse.move(...place, { steps: 5 }));
+        await app.change(() => page.mouse.move(...place, { steps: 5 }));
         counts.add(await page.locator('.bar-text strong').textContent());
       }
       await page.mouse.up();
       assert.equal(counts.size, places.length);
       const dragged = (await jobOf(app)).params.size;
       assert.ok(dragged > 100, String(dragged));
-      await change(app, () => app.button('Undo').click()); // the whole drag
+      await app.change(() => app.button('Undo').click()); // the whole drag
       assert.equal((await jobOf(app)).params.size, 24);
     });
   });
@@ -107,7 +95,7 @@ test('files of every kind; noise is shown, too', async () => {
     assert.equal(JSON.parse((await app.download('GeoJSON')).text).features.length, count);
     assert.equal((await app.download('CSV')).text.trim().split('\n').length, count + 1);
     assert.equal((await app.demand('GLB')).text.slice(0, 4), 'glTF');
-    await change(app, () => page.evaluate(() => void (location.hash = '#technique=pattern&model=gaussian&width=256&height=256')));
+    await app.change(() => page.evaluate(() => void (location.hash = '#technique=pattern&model=gaussian&width=256&height=256')));
     await page.getByText('65,536 cells', { exact: true }).first().waitFor();
     await samePicture();
   });
@@ -117,8 +105,8 @@ test('a job is opened again, shared by its address, undone', async () => {
   await inFolder(async (folder) => {
     await withPattern({}, async (app, page) => {
       await choose(app, 'Circles');
-      await change(app, () => app.set('Length', 33));
-      await change(app, () => app.button('Roll the dice for another seed').click());
+      await app.change(() => app.set('Length', 33));
+      await app.change(() => app.button('Roll the dice for another seed').click());
       const job = await app.download('job');
       const svg = await app.download('SVG');
       assert.equal(JSON.parse(job.text).params.length, 33);
@@ -129,15 +117,15 @@ test('a job is opened again, shared by its address, undone', async () => {
       for (const file of [job, svg]) {
         writeFileSync(join(folder, file.name), file.text);
         await choose(app, 'Delaunay');
-        await change(app, () => app.openJob(join(folder, file.name)));
+        await app.change(() => app.openJob(join(folder, file.name)));
         assert.deepEqual(await jobOf(app), JSON.parse(job.text));
         assert.equal((await app.download('SVG')).text, svg.text);
       }
-      await change(app, () => app.button('Undo').click());
+      await app.change(() => app.button('Undo').click());
       assert.equal((await jobOf(app)).params.model, 'delaunay');
-      await change(app, () => app.button('Redo').click());
+      await app.change(() => app.button('Redo').click());
       assert.equal((await jobOf(app)).params.model, 'circles');
-      await change(app, () => page.evaluate(() => void (location.hash = '#technique=pattern&model=hexagon&size=9')));
+      await app.change(() => page.evaluate(() => void (location.hash = '#technique=pattern&model=hexagon&size=9')));
       const { model, size } = (await jobOf(app)).params;
       assert.deepEqual({ model, size }, { model: 'hexagon', size: 9 });
     });
@@ -151,10 +139,10 @@ test('other tabs keep their picture, and have one where this was opened first', 
     await app.openTab('Pavement');
     assert.deepEqual((await jobOf(app)).inputs, { drawing: 'waves.png' });
     await app.openTab('Mosaic');
-    await change(app, () => app.open(coast));
-    await change(app, () => page.getByRole('tab', { name: 'Pattern' }).click());
+    await app.change(() => app.open(coast));
+    await app.change(() => page.getByRole('tab', { name: 'Pattern' }).click());
     assert.deepEqual((await jobOf(app)).inputs, {});
-    await change(app, () => page.getByRole('tab', { name: 'Mosaic' }).click());
+    await app.change(() => page.getByRole('tab', { name: 'Mosaic' }).click());
     assert.deepEqual((await jobOf(app)).inputs, { photo: 'coast.png' });
     await app.button('Fit').click();
     await page.getByRole('slider', { name: 'Before and after' }).press('End');
@@ -175,7 +163,7 @@ test('a tab left while its sample comes does not disturb this one', async () => 
       await route.continue();
     });
     await page.getByRole('tab', { name: 'Pavement' }).click();
-    await change(app, () => page.getByRole('tab', { name: 'Pattern' }).click());
+    await app.change(() => page.getByRole('tab', { name: 'Pattern' }).click());
     release();
     await choose(app, 'Triangle');
     assert.equal((await jobOf(app)).params.model, 'triangle');
@@ -208,13 +196,13 @@ test('a seamless sheet shows at one side what sticks out at the other', async ()
 
 test('colours are added, changed and removed with their shares', async () => {
   await withPattern({}, async (app, page) => {
-    await change(app, () => page.getByLabel('Colour 1', { exact: true }).fill('#00aa00'));
+    await app.change(() => page.getByLabel('Colour 1', { exact: true }).fill('#00aa00'));
     assert.match((await app.download('SVG')).text, /fill="#00aa00"/);
-    await change(app, () => app.button('Add a colour').click());
+    await app.change(() => app.button('Add a colour').click());
     assert.equal((await jobOf(app)).params.colors, '#00aa00 #e4dbcb #22313f #7a8f94 #7a8f94');
     await page.locator('.more summary').click();
-    await change(app, () => page.getByRole('textbox', { name: 'Probabilities' }).fill('1 1 1 1 4'));
-    await change(app, () => app.button('Remove colour 2').click());
+    await app.change(() => page.getByRole('textbox', { name: 'Probabilities' }).fill('1 1 1 1 4'));
+    await app.change(() => app.button('Remove colour 2').click());
     const { colors, probabilities } = (await jobOf(app)).params;
     assert.deepEqual([colors, probabilities], ['#00aa00 #22313f #7a8f94 #7a8f94', '1 1 1 4']);
   });
@@ -229,7 +217,7 @@ test('only parameters that matter are shown, and what is wrong is told at its fi
     assert.equal(await shown('Border').count(), 0);
     await page.getByRole('textbox', { name: 'Colors' }).fill('red');
     await page.getByText(/is no list of 1 to 256 colours/).first().waitFor();
-    await change(app, () => page.getByRole('textbox', { name: 'Colors' }).fill('#f00 #fff'));
+    await app.change(() => page.getByRole('textbox', { name: 'Colors' }).fill('#f00 #fff'));
     assert.equal(await page.getByRole('alert').count(), 0);
   });
 });
@@ -237,13 +225,13 @@ test('only parameters that matter are shown, and what is wrong is told at its fi
 test('a picture tells where points are many', async () => {
   const picture = join(root, 'public/samples/waves.png');
   await withPattern({}, async (app) => {
-    await change(app, () => app.open(picture));
+    await app.change(() => app.open(picture));
     const svg = await app.download('SVG');
     const job = await app.download('job');
     const { inputs, params } = JSON.parse(job.text);
     assert.deepEqual([inputs, params.process], [{ density: 'waves.png' }, 'cox']);
     await inFolder((folder) => assertSameStones(svg.text, nativeSvg(folder, job.text, { density: readFileSync(picture) })));
-    await change(app, () => app.button('Undo').click());
+    await app.change(() => app.button('Undo').click());
     assert.deepEqual((await jobOf(app)).inputs, {});
   });
 });
@@ -308,13 +296,13 @@ for (const isolated of [true, false]) {
         for (const [i, { distance, w_residual: residual }] of report.candidates.entries())
           assert.deepEqual(rows[i].trim().split(/\s+/).slice(-2), [digits.format(distance), digits.format(residual)]);
         assert.equal((await jobOf(app)).params.model, 'occupancy', 'nothing changes before it is used');
-        await change(app, () => app.button('Use').click());
+        await app.change(() => app.button('Use').click());
         const job = await jobOf(app);
         assert.deepEqual(job.params, report.job.params);
         const [seen] = await coloursAt(page, await beforeOf(page), [[0.5, 0.5]]);
         const [own] = await coloursAt(page, picture.bytes, [[0.5, 0.5]]);
         assert.ok(own.every((level, c) => Math.abs(level - seen[c]) < 16), `${seen} before, ${own} in the picture`);
-        await change(app, () => app.button('Undo').click());
+        await app.change(() => app.button('Undo').click());
         assert.equal((await jobOf(app)).params.model, 'occupancy');
         assert.equal(await page.getByRole('slider', { name: 'Before and after' }).count(), 0);
       });
@@ -346,7 +334,7 @@ test('the curve and the numbers are chosen and read without a mouse', async () =
     await measured(page);
     await app.button('W(d)').click();
     assert.equal(await page.locator('.chart-series').count(), 1);
-    await change(app, () => app.set('Size', 40));
+    await app.change(() => app.set('Size', 40));
     await measured(page);
     assert.deepEqual((await savedReport(app)).job, await jobOf(app));
     await page.getByRole('button', { name: 'Statistics', exact: true }).press('Enter');
@@ -401,9 +389,9 @@ test('pictures to fit are dropped there, or are there already; what is none is r
     const job = await jobOf(app);
     assert.deepEqual(job.inputs, {}, 'it tells nothing about density');
     await app.openTab('Pavement');
-    await change(app, () => page.getByRole('tab', { name: 'Pattern' }).click());
+    await app.change(() => page.getByRole('tab', { name: 'Pattern' }).click());
     await app.button('waves.png').click();
-    await change(app, () => app.button('Use').click());
+    await app.change(() => app.button('Use').click());
     const { params } = await jobOf(app);
     const { width, height } = params;
     assert.deepEqual([width, height], [1024, 1024]);
@@ -414,10 +402,10 @@ test('pictures to fit are dropped there, or are there already; what is none is r
 test('a pattern of nothing has no statistics, and says so', async () => {
   await withPattern({}, async (app, page) => {
     await page.locator('.more summary').click();
-    await change(app, () => app.set('Intensity', 0));
+    await app.change(() => app.set('Intensity', 0));
     await page.getByRole('button', { name: 'Statistics', exact: true }).click();
     await page.getByRole('alert').getByText('nothing to measure').waitFor();
-    await change(app, () => app.button('Undo').click());
+    await app.change(() => app.button('Undo').click());
     await measured(page);
   });
 });

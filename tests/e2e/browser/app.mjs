@@ -60,6 +60,18 @@ class App {
     );
   }
 
+  /** Does `act`, until another run than before is done; most are over before one could see them going on. */
+  async change(act) {
+    const link = this.link('Download job');
+    const before = (await link.count()) ? await link.getAttribute('href') : '';
+    await act();
+    await this.page.waitForFunction((old) => {
+      const now = document.querySelector('a[aria-label="Download job"]');
+      return now && now.getAttribute('href') !== old;
+    }, before);
+    await this.finished();
+  }
+
   /** Another technique, with the sample that it begins with done. */
   async openTab(name) {
     await this.page.getByRole('tab', { name, exact: true }).click();
