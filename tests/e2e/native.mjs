@@ -8,7 +8,7 @@ import { root } from './root.mjs';
 const tessera = join(root, 'build/native-release/bin/tessera');
 
 /** What it writes to standard output. */
-export const nativeOutput = (...words) => execFileSync(tessera, words);
+export const nativeOutput = (...words) => execFileSync(tessera, words, { maxBuffer: Infinity });
 export const native = (...words) => nativeOutput(...words, '--backend', 'cpu', '--quiet');
 
 export async function inFolder(use) {

@@ -355,14 +355,17 @@ async function drop(page, selector, name, buffer) {
   for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent(selector, type, { dataTransfer: transfer });
 }
 
+// Its fit takes many times as long as what the page is asked for meanwhile.
+const kLargePattern = 'pattern occupancy --intensity 0.01 --width 2400 --height 2400 --format png -o -'.split(' ');
+
 for (const isolated of [true, false]) {
   test(`${isolated ? 'threads' : 'single'}: a fit can be cancelled, and gives way to a run`, async () => {
     await withPattern({ isolated }, async (app, page) => {
-      const coast = join(root, 'public/samples/coast.png');
-      await page.getByLabel('Picture to fit').setInputFiles(coast);
+      const large = { name: 'large.png', mimeType: 'image/png', buffer: nativeOutput(...kLargePattern) };
+      await page.getByLabel('Picture to fit').setInputFiles(large);
       await app.button('Cancel fit').press('Enter');
       await app.button('Cancel fit').waitFor({ state: 'detached' });
-      await page.getByLabel('Picture to fit').setInputFiles(coast);
+      await page.getByLabel('Picture to fit').setInputFiles(large);
       await app.button('Cancel fit').waitFor();
       await choose(app, 'Triangle');
       await app.button('Cancel fit').waitFor({ state: 'detached' });
