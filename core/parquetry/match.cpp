@@ -285,6 +285,14 @@ Matcher::Matcher(const std::vector<cv::Mat>& features, const std::vector<cv::Mat
 }
 
 std::optional<Match> Matcher::best(const Template& patch, const Wood& wood, std::int64_t limit) {
+  return search(patch, wood, limit, true);
+}
+
+std::optional<Match> Matcher::glance(const Template& patch, const Wood& wood) {
+  return search(patch, wood, kAnyCost, false);
+}
+
+std::optional<Match> Matcher::search(const Template& patch, const Wood& wood, std::int64_t limit, bool closely) {
   assert(level_of(patch.coarse.side) >= 0);
   std::atomic<std::int64_t> shared = limit;
   std::vector<Search> searches;
@@ -297,9 +305,11 @@ std::optional<Match> Matcher::best(const Template& patch, const Wood& wood, std:
     });
   };
   all([](Search& search) { search.look_over(); });
-  constexpr double kFirst = 0.7;  // the most promising ones lower the limit for the others
-  all([](Search& search) { search.look_closely(kFirst); });
-  all([](Search& search) { search.look_closely(1); });
+  if (closely) {
+    constexpr double kFirst = 0.7;  // the most promising ones lower the limit for the others
+    all([](Search& search) { search.look_closely(kFirst); });
+    all([](Search& search) { search.look_closely(1); });
+  }
   std::optional<Match> best;
   for (const Search& search : searches)
     if (search.best() && (!best || *search.best() < *best)) best = search.best();

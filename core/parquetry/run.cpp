@@ -6,9 +6,10 @@
 #include <array>
 #include <set>
 
+#include "tessera/parquetry/exchange.h"
 #include "tessera/parquetry/features.h"
-#include "tessera/parquetry/improve.h"
 #include "tessera/parquetry/order.h"
+#include "tessera/parquetry/rounds.h"
 
 namespace tessera::parquetry {
 namespace {
@@ -110,14 +111,17 @@ Result<Output> run(const std::vector<Panel>& panels, const Request& request, con
   if (!pieces) return tl::unexpected(pieces.error());
   const std::int64_t greedy_cost = cost_of(*pieces);
 
-  int exchanges = 0;
+  int rounds = 0, exchanges = 0;
   if (request.improve) {
     context.stage("improving");
-    exchanges = improve(workshop, *pieces, [&] { return request.improve() && context.check(); });
+    const auto go_on = [&] { return request.improve() && context.check(); };
+    rounds = lay_in_rounds(workshop, *pieces, go_on);
+    exchanges = exchange_places(workshop, *pieces, go_on);
     if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
   }
   Output output = collected(std::move(*pieces));
   output.greedy_cost = greedy_cost;
+  output.rounds = rounds;
   output.exchanges = exchanges;
   return output;
 }

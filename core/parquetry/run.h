@@ -31,6 +31,7 @@ struct Output {
   std::int64_t cost = 0;              // after
   int quartered = 0;                  // patches
   int without_wood = 0;               // pieces
+  int rounds = 0;                     // of improving, laid to their ends
   int exchanges = 0;                  // made by improving
 };
 
