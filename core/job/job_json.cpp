@@ -55,29 +55,6 @@ class RepeatedKeys {
   Json first_;
 };
 
-Result<Json> parse(std::string_view text) {
-  constexpr auto kCode = StatusCode::kInvalidInput;
-  if (text.size() > kMaxJobBytes) {
-    return fail(kCode, "", fmt::format("is {} bytes long, expected a job of at most {}", text.size(), kMaxJobBytes));
-  }
-  if (nests_too_deep(text)) {
-    return fail(kCode, "", fmt::format("nests deeper than {} levels, expected a job", kMaxJobDepth));
-  }
-  RepeatedKeys repeated;
-  try {
-    Json json = Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) {
-      repeated(event, parsed);
-      return true;
-    });
-    if (repeated.found().is_null()) return json;
-  } catch (const Json::parse_error& error) {
-    return fail(kCode, "", fmt::format("is not JSON at {}, expected a job", place_in(text, error.byte)));
-  } catch (const Json::out_of_range&) {
-    return fail(kCode, "", "has a number too large for JSON");
-  }
-  return fail(kCode, "", fmt::format("has {} twice in one object", shown(repeated.found())));
-}
-
 // Reads the members of a job; every problem is added to `problems`.
 class JobReader {
  public:
@@ -178,6 +155,29 @@ std::string job_to_text(const Job& job, Layout layout) {
   return job_to_json(job).dump(layout == Layout::kIndented ? 2 : -1, ' ', false, Json::error_handler_t::replace);
 }
 
+Result<Json> parse_json(std::string_view text) {
+  constexpr auto kCode = StatusCode::kInvalidInput;
+  if (text.size() > kMaxJobBytes) {
+    return fail(kCode, "", fmt::format("is {} bytes long, expected a job of at most {}", text.size(), kMaxJobBytes));
+  }
+  if (nests_too_deep(text)) {
+    return fail(kCode, "", fmt::format("nests deeper than {} levels, expected a job", kMaxJobDepth));
+  }
+  RepeatedKeys repeated;
+  try {
+    Json json = Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) {
+      repeated(event, parsed);
+      return true;
+    });
+    if (repeated.found().is_null()) return json;
+  } catch (const Json::parse_error& error) {
+    return fail(kCode, "", fmt::format("is not JSON at {}, expected a job", place_in(text, error.byte)));
+  } catch (const Json::out_of_range&) {
+    return fail(kCode, "", "has a number too large for JSON");
+  }
+  return fail(kCode, "", fmt::format("has {} twice in one object", shown(repeated.found())));
+}
+
 tl::expected<Job, Problems> read_job(std::string_view text) {
   const auto refuse = [](Status status) { return tl::unexpected<Problems>(Problems{std::move(status)}); };
   std::string extracted;
@@ -188,7 +188,7 @@ tl::expected<Job, Problems> read_job(std::string_view text) {
     extracted = *std::move(found);
     text = extracted;
   }
-  auto json = parse(text);
+  auto json = parse_json(text);
   if (!json) return refuse(std::move(json.error()));
   if (!json->is_object()) {
     return refuse({StatusCode::kInvalidInput, "", fmt::format("is {}, expected a job", shown(*json))});

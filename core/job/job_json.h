@@ -28,6 +28,9 @@ std::string job_to_text(const Job& job, Layout layout = Layout::kOneLine);
 // kInvalidParameter; all of the latter are reported together.
 tl::expected<Job, Problems> read_job(std::string_view text);
 
+// JSON of a job's size and depth, no key twice; else kInvalidInput.
+Result<Json> parse_json(std::string_view text);
+
 // The job's JSON from the <metadata> of an SVG. Strict and simple: no entities but XML's own, no internal DTD.
 Result<std::string> extract_job_from_svg(std::string_view svg);
 

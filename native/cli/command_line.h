@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "tessera/cli/batch_command.h"
 #include "tessera/cli/fit_command.h"
 #include "tessera/cli/measure_command.h"
 #include "tessera/cli/settings.h"
@@ -45,7 +46,7 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunNewJob, AskJob, RunSavedJob, Measure, FitCommand, PrintSchema, PrintText>;
+using Command = std::variant<RunNewJob, AskJob, RunSavedJob, Batch, Measure, FitCommand, PrintSchema, PrintText>;
 
 // What is to be done; else the exit status, when everything has been said already: help, version, wrong usage.
 tl::expected<Command, int> parse_command_line(int argc, const char* const* argv);

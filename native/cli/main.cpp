@@ -1,11 +1,9 @@
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <limits>
 #include <new>
-#include <opencv2/core/utility.hpp>
 
 #include "tessera/cli/command_line.h"
 #include "tessera/cli/messages.h"
@@ -40,12 +38,6 @@ void keep_freed_memory() {
     std::free(block);
   }
 #endif
-}
-
-void prepare(const Settings& settings) {
-  // More threads than processors are slower, and the library that runs them complains.
-  if (settings.threads > 0) cv::setNumThreads(std::min(settings.threads, cv::getNumberOfCPUs()));
-  if (settings.timeout_s > 0) set_time_limit(settings.timeout_s);
 }
 
 int execute(const RunNewJob& command) {
@@ -87,6 +79,8 @@ int execute(const AskJob& command) {
   const auto answer = ask_job(command.job, *command.question, command.settings);
   return answer ? print_to_stdout(*answer) : print_problems(answer.error());
 }
+
+int execute(const Batch& command) { return run_batch(command); }
 
 int execute(const Measure& command) { return run_measure(command); }
 

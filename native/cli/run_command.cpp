@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <opencv2/core/utility.hpp>
 #include <utility>
 
 #include "tessera/cli/backend.h"
@@ -125,6 +126,12 @@ class Run {
 };
 
 }  // namespace
+
+void prepare(const Settings& settings) {
+  // More threads than processors are slower, and the library that runs them complains.
+  if (settings.threads > 0) cv::setNumThreads(std::min(settings.threads, cv::getNumberOfCPUs()));
+  if (settings.timeout_s > 0) set_time_limit(settings.timeout_s);
+}
 
 int run_and_write(Job job, const Settings& settings, const std::string& folder) {
   if (settings.seed) job.seed = *settings.seed;

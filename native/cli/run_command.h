@@ -9,6 +9,9 @@
 
 namespace tessera {
 
+// Threads and the time limit of this process.
+void prepare(const Settings& settings);
+
 // Runs the job and writes what the settings ask for; relative inputs are looked for in `folder` first (empty: none).
 // The exit status; problems have been printed, and nothing is left behind by a run that failed.
 int run_and_write(Job job, const Settings& settings, const std::string& folder);

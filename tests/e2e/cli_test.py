@@ -32,7 +32,7 @@ class UsageTest(CliTest):
     def test_only_commands_that_work_are_listed(self):
         text = self.succeed('--help').stdout.decode()
         commands = [line.split()[0] for line in text.split('Subcommands:')[1].splitlines() if line.strip()]
-        self.assertEqual(commands, ['pave', 'mosaic', 'pebbles', 'pattern', 'parquet', 'measure', 'fit', 'run', 'schema'])
+        self.assertEqual(commands, ['pave', 'mosaic', 'pebbles', 'pattern', 'parquet', 'measure', 'fit', 'run', 'batch', 'schema'])
         for command in commands:
             self.succeed(command, '--help')
 
