@@ -166,8 +166,14 @@ parquetry::Request request_of(const std::vector<ImageView>& targets, const Param
 
 // Tells requests apart: everything that decides how patches are laid, but not what comes after.
 std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const std::vector<Panel>& panels) {
-  std::get<Params>(job.params).improve_tries = 0;
-  job.inputs.clear();  // what is in them counts
+  auto& params = std::get<Params>(job.params);
+  const Params usual;
+  params.improve_tries = usual.improve_tries;
+  params.cut_speed = usual.cut_speed;
+  params.side = usual.side;
+  params.registration = usual.registration;
+  params.panels = fmt::format("{}", panels.front().mm_per_px);  // what else it says is in scans and masks
+  job.inputs.clear();                                           // what is in them counts
   std::uint64_t fingerprint = parquetry::fingerprint_of(job_to_text(job));
   for (const cv::Mat3b& target : request.targets) fingerprint = parquetry::fingerprint_of(target, fingerprint);
   for (const Panel& panel : panels) {
@@ -178,22 +184,29 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   return fingerprint;
 }
 
-// The matching (3.2, 3.3), which may be stopped and go on. `tries` counts the exchanges that were tried.
-Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
-                                const RunContext& context, int& tries) {
+struct Matched {
+  parquetry::Output output;
+  std::string state;
+  int tries = 0;  // exchanges that were tried
+};
+
+// The matching (3.2, 3.3), which may be stopped and go on.
+Result<Matched> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
+                      const RunContext& context) {
   const auto& params = std::get<Params>(job.params);
   const std::uint64_t fingerprint = fingerprint_of(job, request, panels);
   if (!context.earlier.empty()) {
     auto earlier =
         parquetry::read_state(context.earlier, fingerprint, request.patches, params, panels.front().mm_per_px);
-    if (!earlier)
+    if (!earlier && !context.earlier_if_fits)
       return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
-    request.earlier = *std::move(earlier);
+    if (earlier) request.earlier = *std::move(earlier);
   }
+  Matched matched;
   if (context.go_on_improving || params.improve_tries > 0)
     request.improve = [&] {
-      const bool go_on = context.go_on_improving ? context.go_on_improving() : tries < params.improve_tries;
-      tries += go_on;
+      const bool go_on = context.go_on_improving ? context.go_on_improving() : matched.tries < params.improve_tries;
+      matched.tries += go_on;
       return go_on;
     };
   std::vector<parquetry::Laid> laid = request.earlier;
@@ -204,8 +217,13 @@ Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels
     laid.insert(laid.end(), pieces.begin(), pieces.end());
     offer();
   });
-  if (!output) offer();
-  return output;
+  if (!output) {
+    offer();
+    return tl::unexpected<Status>(std::move(output.error()));
+  }
+  matched.output = *std::move(output);
+  matched.state = parquetry::write_state(fingerprint, laid);
+  return matched;
 }
 
 // Says which patches found no wood, and what wood they would have liked.
@@ -278,35 +296,73 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   if (auto good = check_size(targets, params, mm_per_px); !good)
     return tl::unexpected<Status>(std::move(good.error()));
   const parquetry::Request request = request_of(targets, params, mm_per_px);
-  int tries = 0;
-  auto output = match(job, *panels, request, context, tries);
-  if (!output) return tl::unexpected<Status>(std::move(output.error()));
-  tell_missing(*output, request.targets, params, mm_per_px, context);
+  auto matched = match(job, *panels, request, context);
+  if (!matched) return tl::unexpected<Status>(std::move(matched.error()));
+  const parquetry::Output& output = matched->output;
+  tell_missing(output, request.targets, params, mm_per_px, context);
 
   Outcome outcome;
   outcome.done = job;
-  std::get<Params>(outcome.done->params).improve_tries = tries;
+  outcome.state = std::move(matched->state);
+  std::get<Params>(outcome.done->params).improve_tries = matched->tries;
   auto made = std::make_shared<Parquetry>();
-  made->pieces = parquetry::pieces_of(*panels, output->patches, output->placements);
-  made->missing = parquetry::missing_of(output->patches, output->placements);
+  made->pieces = parquetry::pieces_of(*panels, output.patches, output.placements);
+  made->missing = parquetry::missing_of(output.patches, output.placements);
   made->params = params;
   made->panels = *std::move(panels);
   for (const cv::Mat3b& target : request.targets) made->targets.push_back(target.size());
   made->job_json = job_to_text(*outcome.done);
   outcome.sheet = sheet_of(*made);
-  outcome.counts = {{"patches", static_cast<std::int64_t>(output->patches.size())},
+  outcome.counts = {{"patches", static_cast<std::int64_t>(output.patches.size())},
                     {"pieces", static_cast<std::int64_t>(made->pieces.size())},
-                    {"missing", output->without_wood},
-                    {"quartered", output->quartered},
-                    {"exchanges", output->exchanges},
+                    {"missing", output.without_wood},
+                    {"quartered", output.quartered},
+                    {"exchanges", output.exchanges},
                     {"panels", static_cast<std::int64_t>(made->panels.size())}};
-  outcome.metrics = {{"cost", static_cast<double>(output->cost)},
-                     {"greedy_cost", static_cast<double>(output->greedy_cost)}};
-  add_targets(*output, made->targets.size(), outcome);
+  outcome.metrics = {{"cost", static_cast<double>(output.cost)},
+                     {"greedy_cost", static_cast<double>(output.greedy_cost)}};
+  add_targets(output, made->targets.size(), outcome);
   add_wood(*made, outcome);
   outcome.folder = [made] { return parquet_folder(*made); };
   return outcome;
 }
+
+namespace {
+
+// Of a mask, row by row from the top left: how many pixels are no wood, how many after these are, and so on in turn.
+std::vector<int> runs_of(const cv::Mat1b& mask) {
+  std::vector<int> runs = {0};
+  bool wood = false;
+  for (const std::uint8_t value : mask) {
+    if ((value != 0) != wood) runs.push_back(0);
+    wood = value != 0;
+    ++runs.back();
+  }
+  return runs;
+}
+
+// A line of JSON a panel: its mask as runs_of() and the marks' middles, px of the scan, and diameter.
+Result<std::string> describe_panels(const Job& job, const Pictures& pictures, const RunContext& context) {
+  if (scans_of(pictures).empty()) return fail(StatusCode::kInvalidInput, "panel", "is missing, expected a picture");
+  const auto panels = parquetry::look_at(scans_of(pictures), std::get<Params>(job.params), context);
+  if (!panels) return tl::unexpected<Status>(panels.error());
+  std::string text;
+  for (const Panel& panel : *panels) {
+    Json marks = Json::array();
+    for (const Point mark : panel.fiducials) marks.push_back({panel.scan_px * mark.x, panel.scan_px * mark.y});
+    text += Json({{"panel", panel.name},
+                  {"width", panel.mask.cols},
+                  {"height", panel.mask.rows},
+                  {"wood", runs_of(panel.mask)},
+                  {"marks", marks},
+                  {"mark_px", panel.scan_px * panel.fiducial_mm / panel.mm_per_px}})
+                .dump() +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
 
 std::vector<Question> parquet_questions() {
   const auto plan = [](const Job& job, const Pictures& pictures, const RunContext&) -> Result<std::string> {
@@ -331,6 +387,10 @@ std::vector<Question> parquet_questions() {
     return describe(parquetry::forecast_of(rgb, *panels, params), *panels, params);
   };
   return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target"}, plan},
+          {"masks",
+           "Tell where wood and marks are found on the panels, a line of JSON each",
+           {"panel", "mask"},
+           describe_panels},
           {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "panel", "mask"}, forecast}};
 }
 
