@@ -12,7 +12,7 @@ export function StageRuler() {
   return (
     <svg class="chosen-pebbles" aria-hidden="true">
       <g transform={`translate(${x} ${y}) scale(${scale / mm})`}>
-        <Ruler width={width * mm} height={height * mm} letter={(kLetter * mm) / scale} outside />
+        <Ruler width={width * mm} height={height * mm} letter={(kLetter * mm) / scale} />
       </g>
     </svg>
   );
@@ -24,38 +24,30 @@ interface Props {
   height: number;
   /** How high its figures are, mm. */
   letter: number;
-  /** Beside the sides, not on what it measures. */
-  outside?: boolean;
 }
 
 const kSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 const kApart = 4; // figures' heights between two of them
 
 /** Millimetres along the upper and the left side of what it lies on, whose units they are. */
-export function Ruler({ width, height, letter, outside = false }: Props) {
-  const inwards = outside ? -letter : letter;
+export function Ruler({ width, height, letter }: Props) {
   const figures = kSteps.find((step) => step >= kApart * letter) ?? 2000;
   const fine = figures / 10;
   let lines = '';
-  for (let i = 1; i * fine < width; ++i) lines += `M${i * fine} 0V${inwards * tickOf(i)}`;
-  for (let i = 1; i * fine < height; ++i) lines += `M0 ${i * fine}H${inwards * tickOf(i)}`;
+  for (let i = 1; i * fine < width; ++i) lines += `M${i * fine} 0V${letter * tickOf(i)}`;
+  for (let i = 1; i * fine < height; ++i) lines += `M0 ${i * fine}H${letter * tickOf(i)}`;
   const places = (length: number) =>
     Array.from({ length: Math.floor((length - letter) / figures) }, (_, i) => (i + 1) * figures);
   return (
-    <g class="ruler" data-outside={outside} style={{ fontSize: `${letter}px` }}>
+    <g class="ruler" style={{ fontSize: `${letter}px` }}>
       <path d={lines} />
       {places(width).map((at) => (
-        <text key={at} x={at + letter * 0.2} y={outside ? -letter * 0.75 : letter * 1.3}>
+        <text key={at} x={at + letter * 0.2} y={letter * 1.3}>
           {at}
         </text>
       ))}
       {places(height).map((at) => (
-        <text
-          key={`${at} down`}
-          x={outside ? -letter * 0.5 : letter * 0.5}
-          y={at + letter}
-          text-anchor={outside ? 'end' : 'start'}
-        >
+        <text key={`${at} down`} x={letter * 0.5} y={at + letter}>
           {at}
         </text>
       ))}

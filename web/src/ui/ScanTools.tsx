@@ -199,7 +199,7 @@ export function ScanToolSheet({ panel, scan, scale }: Props) {
         class="scan-tool"
         width={scan.width * scale}
         height={scan.height * scale}
-        tabIndex={0}
+        tabindex={0} // as SVG spells it
         role="application"
         aria-label={`${name === 'mask' ? 'Mask' : 'Marks'} of ${panel.name}. Arrow keys move, ${what}, Escape ends.`}
         onKeyDown={onKey}

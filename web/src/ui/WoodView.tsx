@@ -6,7 +6,7 @@ import type { PanelFile } from '../state/drawn';
 import { outcome, run } from '../state/store';
 import { calm } from '../state/theme';
 import { choosePiece, cutAt, cuts, onWoodKey, pointed, shownPiece } from '../state/wood';
-import { percent } from '../techniques/facts';
+import { counted, percent } from '../techniques/facts';
 import { NoWood, ScanTools, ScanToolSheet, scanTool } from './ScanTools';
 import { Ruler } from './Ruler';
 
@@ -103,7 +103,7 @@ function Sheet({ panel }: { panel: PanelFile }) {
       </svg>
       <figcaption>
         <strong>{panel.name}</strong> {length.format(width)} × {length.format(height)} mm
-        {marks.length > 0 && `, ${marks.length} marks`}
+        {marks.length > 0 && `, ${counted(marks.length, 'marks')}`}
         {used !== undefined && `, ${percent.format(used)} used`}
         {run.value && own.length > 0 && `, ${own.length} cut`}
       </figcaption>
