@@ -133,6 +133,16 @@ class ParquetTest(CliTest):
         self.assertIn('does not suffice', poor)
         self.assertEqual(self.names(), before)
 
+    def test_masks_and_marks_are_told(self):
+        self.put('mask.png', png(300, 240, lambda x, y: 255 if x < 200 else 0))
+        before = self.names()
+        told = self.parquet('--panel', 'board.png,mask=mask.png,name=oak,marks=10:20', '--panel', 'second.png,dpi=60', '--masks')
+        oak, second = (json.loads(line) for line in told.stdout.splitlines())
+        self.assertEqual((oak['panel'], oak['width'], oak['height'], oak['marks']), ('oak', 300, 240, [[10, 20]]))
+        self.assertEqual(oak['wood'], [0, 200] + [100, 200] * 239 + [100])
+        self.assertEqual((second['panel'], sum(second['wood'])), ('second', 200 * 160))
+        self.assertEqual(self.names(), before)
+
     def test_too_little_wood_makes_what_it_can(self):
         done = self.succeed('parquet', 'target.png', '--panel', 'second.png,dpi=60', '--image-size-mm', 120, '--rotations', 1,
                             '-o', 'out')
