@@ -44,7 +44,6 @@ export function ScanTools() {
       />
       {name === 'mask' && <MaskTools />}
       {name === 'marks' && <MarkTools />}
-      {name && <ToolGap />}
     </>
   );
 }

@@ -34,8 +34,10 @@ export function WoodView() {
         ))}
       </div>
       <WoodLabel />
-      <div class="wood-tools tool-group">
+      <div class="scan-tools tool-group" role="toolbar" aria-label="Scans">
         <ScanTools />
+      </div>
+      <div class="wood-tools tool-group">
         <CutPreview />
         <Assembly />
       </div>
