@@ -1,5 +1,5 @@
 // Matching on one thread: how the time for a patch grows with the panel's pixels, the rotations and the patches, as
-// an exponent. What is built once for all patches is measured with them.
+// an exponent. What is built once for all patches is measured with them. And how a panel is used up.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -68,6 +68,37 @@ void patches(benchmark::State& state) {
   match(state, 2.8, 15, static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0))))));
 }
 BENCHMARK(patches)->Arg(49)->Arg(100)->Arg(196)->Unit(benchmark::kSecond)->Iterations(1)->Complexity();
+
+// 4.2: the same target again and again from one panel. What a pixel of the last copy costs, and how many of its 36
+// patches have no wood left.
+void copies(benchmark::State& state) {
+  parquetry::Panel panel;
+  panel.scan = boards(1000, 700);
+  panel.mask = cv::Mat1b(panel.scan.size(), 255);
+  panel.mm_per_px = 14.0 / 48;
+  parquetry::Params params;
+  parquetry::Request request;
+  const int last = static_cast<int>(state.range(0)) - 1;
+  for (int copy = 0; copy <= last; ++copy) {
+    request.targets.push_back(waves(48 * 6));
+    for (parquetry::Patch& patch : parquetry::grid_patches(request.targets[0].size(), params, panel.mm_per_px, copy))
+      request.patches.push_back(std::move(patch));
+  }
+  double cost = 0, pixels = 0, missing = 0;
+  for (auto _ : state) {
+    const auto output = parquetry::run({panel}, request, params, {});
+    for (const parquetry::Placement& placement : output->placements) {
+      const parquetry::Patch& patch = output->patches[static_cast<std::size_t>(placement.patch)];
+      if (patch.target != last) continue;
+      missing += placement.panel < 0;
+      cost += static_cast<double>(placement.cost);
+      pixels += placement.panel < 0 ? 0 : patch.box.area();
+    }
+  }
+  state.counters["cost/px"] = pixels > 0 ? cost / pixels : 0;
+  state.counters["missing"] = missing;
+}
+BENCHMARK(copies)->DenseRange(1, 5)->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace
 }  // namespace tessera

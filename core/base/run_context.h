@@ -27,6 +27,8 @@ struct RunContext {
   // run that is handed it as `earlier` ends as if it had not been stopped. `state` may be called during the offer.
   std::function<void(const std::function<std::string()>& state)> on_state;
   std::string_view earlier;
+  // That state may be of another job, which makes it no help; else it is an error.
+  bool earlier_if_fits = false;
   // Whether to go on making the result better. Empty: as often as the job says.
   std::function<bool()> go_on_improving;
 

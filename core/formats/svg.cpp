@@ -95,6 +95,7 @@ void append_drawing_layer(std::string& out, const DrawingLayer& layer) {
   append_colour(attributes, layer.colour);
   attributes += '"';
   append_attribute(attributes, "stroke-width", layer.width);
+  if (layer.dash > 0) append_attribute(attributes, "stroke-dasharray", layer.dash);
   append_layer(out, layer.name, attributes);
   for (const Stroke& stroke : layer.strokes) {
     out += "<path id=\"" + stroke.id + "\" d=\"";

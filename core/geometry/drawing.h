@@ -21,6 +21,7 @@ struct DrawingLayer {
   Rgb colour;
   double width = 0.01;  // of its lines
   std::vector<Stroke> strokes;
+  double dash = 0;  // length of its dashes and of what is between them; 0: lines are whole. DXF has whole lines
 };
 
 // A sheet of paper that shows a part of the drawing.

@@ -75,6 +75,7 @@ struct Outcome {
   std::map<std::string, std::int64_t> counts;  // of the report
   std::map<std::string, double> metrics;       // finite
   std::vector<Plot> plots;
+  std::string state{};        // for RunContext::earlier of a job that differs only in what comes after the long part
   std::optional<Job> done{};  // makes the same again, where the job that was run may not
   Frames frames = {};         // of the iterations, where they were recorded
 };

@@ -47,14 +47,14 @@ std::vector<Artifact> parquet_folder(const Parquetry& made) {
     drawing.job_json = made.job_json;
     return drawing;
   };
-  for (int target = 1; target <= made.targets; ++target) {
-    const std::string number = made.targets > 1 ? fmt::format("-{}", target) : std::string();
-    files.push_back({"preview" + number + ".png", kPng,
-                     write_png(parquetry::finished_preview(made.panels, made.pieces, target, made.size))});
-    files.push_back(
-        {"assembly" + number + ".svg", kSvg,
-         write_svg(drawn(parquetry::assembly(made.pieces, target, made.size, made.mm_per_px(), made.params)))});
+  for (std::size_t i = 0; i < made.targets.size(); ++i) {
+    const int target = static_cast<int>(i) + 1;
+    files.push_back({target == 1 ? std::string("preview.png") : fmt::format("preview-{}.png", target), kPng,
+                     write_png(parquetry::finished_preview(made.panels, made.pieces, target, made.targets[i]))});
   }
+  files.push_back({"assembly.svg", kSvg,
+                   write_svg(drawn(parquetry::assembly(made.pieces, made.missing, made.targets, made.mm_per_px(),
+                                                       made.params)))});
   for (std::size_t i = 0; i < made.panels.size(); ++i) {
     const std::string stem = "panel-" + made.panels[i].name;
     const Drawing drawing = drawn(parquetry::cut_sheet(made.panels, i, made.pieces, made.params).drawing);

@@ -26,6 +26,20 @@ using parquetry::Panel;
 using parquetry::Params;
 using parquetry::Placement;
 
+// "target", then "target-2", "target-10": shorter names first; all of them again for each copy.
+std::vector<ImageView> targets_of(const Pictures& pictures, const Params& params) {
+  const Technique& technique = *find_technique("parquetry");
+  std::map<std::pair<std::size_t, std::string>, ImageView> named;
+  for (const auto& [input, picture] : pictures) {
+    const InputRole* role = role_of(technique, input);
+    if (role && role->name == "target") named.emplace(std::pair(input.size(), input), picture);
+  }
+  std::vector<ImageView> targets;
+  for (int copy = 0; copy < params.copies; ++copy)
+    for (const auto& [name, picture] : named) targets.push_back(picture);
+  return targets;
+}
+
 // In the order of their names.
 std::vector<parquetry::Scan> scans_of(const Pictures& pictures) {
   const Technique& technique = *find_technique("parquetry");
@@ -67,14 +81,20 @@ Rgb mean_colour(const Panel& panel, const CutPiece& piece) {
 }
 
 PieceSheet sheet_of(const Parquetry& made) {
+  const std::vector<int> lefts = parquetry::side_by_side(made.targets);
   PieceSheet sheet;
-  sheet.width = made.size.width;
-  sheet.height = made.size.height;
-  sheet.width_mm = made.size.width * made.mm_per_px();
-  for (const CutPiece& piece : made.pieces)
-    if (piece.target == 1)
-      sheet.pieces.push_back(
-          {static_cast<int>(sheet.pieces.size()) + 1, piece.finished, mean_colour(made.panels[piece.panel], piece)});
+  sheet.width = lefts.back();
+  for (const cv::Size& target : made.targets) sheet.height = std::max<double>(sheet.height, target.height);
+  sheet.width_mm = sheet.width * made.mm_per_px();
+  for (const CutPiece& piece : made.pieces) {
+    Polygon outline = piece.finished;
+    const Point by{static_cast<double>(lefts[static_cast<std::size_t>(piece.target - 1)]), 0};
+    for (Point& p : outline.outer) p = p + by;
+    for (Ring& hole : outline.holes)
+      for (Point& p : hole) p = p + by;
+    sheet.pieces.push_back({static_cast<int>(sheet.pieces.size()) + 1, std::move(outline),
+                            mean_colour(made.panels[piece.panel], piece)});
+  }
   return sheet;
 }
 
@@ -108,27 +128,52 @@ void add_wood(const Parquetry& made, Outcome& outcome) {
   outcome.metrics["cut_minutes"] = cut_minutes(cut, made.params);
 }
 
-// What a finished piece may be at most: larger ones are slips.
+// What all finished pieces may be at most: larger ones are slips.
 constexpr double kMostPixels = 2e8, kMostPatches = 200000;
 
-Result<void> check_size(const ImageView& target, const Params& params, double mm_per_px) {
-  const double shorter = std::min(target.width, target.height), longer = std::max(target.width, target.height);
-  const double area_mm2 = params.image_size_mm * params.image_size_mm * longer / shorter;
+Result<void> check_size(const std::vector<ImageView>& targets, const Params& params, double mm_per_px) {
+  double area_mm2 = 0;
+  for (const ImageView& target : targets) {
+    const double shorter = std::min(target.width, target.height), longer = std::max(target.width, target.height);
+    area_mm2 += params.image_size_mm * params.image_size_mm * longer / shorter;
+  }
   const double patches = area_mm2 / (params.patch_mm * params.patch_mm), pixels = area_mm2 / (mm_per_px * mm_per_px);
   if (patches > kMostPatches || pixels > kMostPixels)
-    return fail(
-        StatusCode::kInvalidParameter, "imageSizeMm",
-        fmt::format(
-            "makes a piece of {:.0f} x {:.0f} mm of {:.0f} patches and {:.0f} Mpx, expected at most {} and {} Mpx",
-            params.image_size_mm, params.image_size_mm * longer / shorter, patches, pixels / 1e6, kMostPatches,
-            kMostPixels / 1e6));
+    return fail(StatusCode::kInvalidParameter, "imageSizeMm",
+                fmt::format("makes {:.2f} m2 of {:.0f} patches and {:.0f} Mpx, expected at most {} and {} Mpx",
+                            area_mm2 / 1e6, patches, pixels / 1e6, kMostPatches, kMostPixels / 1e6));
   return {};
+}
+
+std::vector<cv::Size> sizes_of(const std::vector<ImageView>& pictures) {
+  std::vector<cv::Size> sizes;
+  for (const ImageView& picture : pictures) sizes.emplace_back(picture.width, picture.height);
+  return sizes;
+}
+
+// What is to be laid: a grid on each target.
+parquetry::Request request_of(const std::vector<ImageView>& targets, const Params& params, double mm_per_px) {
+  parquetry::Request request;
+  request.interleaved = params.sequence == parquetry::Sequence::kInterleaved;
+  for (const ImageView& picture : targets) {
+    const int index = static_cast<int>(request.targets.size());
+    request.targets.push_back(parquetry::at_resolution(picture.mat(), params, mm_per_px));
+    const auto patches = parquetry::grid_patches(request.targets.back().size(), params, mm_per_px, index);
+    request.patches.insert(request.patches.end(), patches.begin(), patches.end());
+  }
+  return request;
 }
 
 // Tells requests apart: everything that decides how patches are laid, but not what comes after.
 std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const std::vector<Panel>& panels) {
-  std::get<Params>(job.params).improve_tries = 0;
-  job.inputs.clear();  // what is in them counts
+  auto& params = std::get<Params>(job.params);
+  const Params usual;
+  params.improve_tries = usual.improve_tries;
+  params.cut_speed = usual.cut_speed;
+  params.side = usual.side;
+  params.registration = usual.registration;
+  params.panels = fmt::format("{}", panels.front().mm_per_px);  // what else it says is in scans and masks
+  job.inputs.clear();                                           // what is in them counts
   std::uint64_t fingerprint = parquetry::fingerprint_of(job_to_text(job));
   for (const cv::Mat3b& target : request.targets) fingerprint = parquetry::fingerprint_of(target, fingerprint);
   for (const Panel& panel : panels) {
@@ -139,22 +184,29 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   return fingerprint;
 }
 
-// The matching (3.2, 3.3), which may be stopped and go on. `tries` counts what was tried to improve it.
-Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
-                                const RunContext& context, int& tries) {
+struct Matched {
+  parquetry::Output output;
+  std::string state;
+  int tries = 0;  // to improve it
+};
+
+// The matching (3.2, 3.3), which may be stopped and go on.
+Result<Matched> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
+                      const RunContext& context) {
   const auto& params = std::get<Params>(job.params);
   const std::uint64_t fingerprint = fingerprint_of(job, request, panels);
   if (!context.earlier.empty()) {
     auto earlier =
         parquetry::read_state(context.earlier, fingerprint, request.patches, params, panels.front().mm_per_px);
-    if (!earlier)
+    if (!earlier && !context.earlier_if_fits)
       return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
-    request.earlier = *std::move(earlier);
+    if (earlier) request.earlier = *std::move(earlier);
   }
+  Matched matched;
   if (context.go_on_improving || params.improve_tries > 0)
     request.improve = [&] {
-      const bool go_on = context.go_on_improving ? context.go_on_improving() : tries < params.improve_tries;
-      tries += go_on;
+      const bool go_on = context.go_on_improving ? context.go_on_improving() : matched.tries < params.improve_tries;
+      matched.tries += go_on;
       return go_on;
     };
   std::vector<parquetry::Laid> laid = request.earlier;
@@ -165,13 +217,18 @@ Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels
     laid.insert(laid.end(), pieces.begin(), pieces.end());
     offer();
   });
-  if (!output) offer();
-  return output;
+  if (!output) {
+    offer();
+    return tl::unexpected<Status>(std::move(output.error()));
+  }
+  matched.output = *std::move(output);
+  matched.state = parquetry::write_state(fingerprint, laid);
+  return matched;
 }
 
 // Says which patches found no wood, and what wood they would have liked.
-void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, const Params& params, double mm_per_px,
-                  const RunContext& context) {
+void tell_missing(const parquetry::Output& output, const std::vector<cv::Mat3b>& targets, const Params& params,
+                  double mm_per_px, const RunContext& context) {
   constexpr std::size_t kNamed = 12;
   const std::vector<std::string> names = parquetry::names_of(output.patches);
   std::string named;
@@ -183,6 +240,7 @@ void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, cons
     const auto patch = static_cast<std::size_t>(placement.patch);
     if (++missing <= kNamed) named += (missing > 1 ? ", " : "") + names[patch];
     const cv::Rect box = output.patches[patch].box;
+    const cv::Mat3b& target = targets[static_cast<std::size_t>(output.patches[patch].target)];
     const double around = params.kerf_mm + params.clearance_mm;
     area += (box.width * mm_per_px + around) * (box.height * mm_per_px + around);
     for (const std::uint8_t level : cv::Mat1b(parquetry::intensity_of(target(box)))) light += level;
@@ -195,6 +253,35 @@ void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, cons
                            parquetry::tone_name(static_cast<int>(light / pixels))));
 }
 
+// Costs and gaps, of all targets together and of each of several. A pixel's cost is that of pixels with wood.
+void add_targets(const parquetry::Output& output, std::size_t targets, Outcome& outcome) {
+  struct Sum {
+    std::int64_t pieces = 0, missing = 0, cost = 0, pixels = 0;
+    double cost_per_px() const { return pixels > 0 ? static_cast<double>(cost) / static_cast<double>(pixels) : 0; }
+  };
+  Sum all;
+  std::vector<Sum> each(targets);
+  for (const Placement& placement : output.placements) {
+    const parquetry::Patch& patch = output.patches[static_cast<std::size_t>(placement.patch)];
+    for (Sum* sum : {&all, &each[static_cast<std::size_t>(patch.target)]}) {
+      const bool is_missing = placement.panel < 0;
+      ++(is_missing ? sum->missing : sum->pieces);
+      sum->cost += placement.cost;
+      sum->pixels += is_missing ? 0 : cv::countNonZero(patch.mask);
+    }
+  }
+  outcome.metrics["cost_per_px"] = all.cost_per_px();
+  if (targets < 2) return;
+  outcome.counts["targets"] = static_cast<std::int64_t>(targets);
+  for (std::size_t i = 0; i < targets; ++i) {
+    const std::string of = fmt::format("_target_{}", i + 1);
+    outcome.counts["pieces" + of] = each[i].pieces;
+    outcome.counts["missing" + of] = each[i].missing;
+    outcome.metrics["cost" + of] = static_cast<double>(each[i].cost);
+    if (each[i].pieces > 0) outcome.metrics["cost_per_px" + of] = each[i].cost_per_px();
+  }
+}
+
 }  // namespace
 
 Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Rasterizer& /*rasterizer*/,
@@ -205,49 +292,86 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   auto panels = parquetry::take_in(scans_of(pictures), params, context);
   if (!panels) return tl::unexpected<Status>(std::move(panels.error()));
   const double mm_per_px = panels->front().mm_per_px;
-  const ImageView& picture = pictures.at("target");
-  if (auto good = check_size(picture, params, mm_per_px); !good)
+  const std::vector<ImageView> targets = targets_of(pictures, params);
+  if (auto good = check_size(targets, params, mm_per_px); !good)
     return tl::unexpected<Status>(std::move(good.error()));
-  parquetry::Request request;
-  request.targets = {parquetry::at_resolution(picture.mat(), params, mm_per_px)};
-  request.patches = parquetry::grid_patches(request.targets.front().size(), params, mm_per_px);
-  int tries = 0;
-  auto output = match(job, *panels, request, context, tries);
-  if (!output) return tl::unexpected<Status>(std::move(output.error()));
-  tell_missing(*output, request.targets.front(), params, mm_per_px, context);
+  const parquetry::Request request = request_of(targets, params, mm_per_px);
+  auto matched = match(job, *panels, request, context);
+  if (!matched) return tl::unexpected<Status>(std::move(matched.error()));
+  const parquetry::Output& output = matched->output;
+  tell_missing(output, request.targets, params, mm_per_px, context);
 
   Outcome outcome;
   outcome.done = job;
-  std::get<Params>(outcome.done->params).improve_tries = tries;
+  outcome.state = std::move(matched->state);
+  std::get<Params>(outcome.done->params).improve_tries = matched->tries;
   auto made = std::make_shared<Parquetry>();
-  made->pieces = parquetry::pieces_of(*panels, output->patches, output->placements);
+  made->pieces = parquetry::pieces_of(*panels, output.patches, output.placements);
+  made->missing = parquetry::missing_of(output.patches, output.placements);
   made->params = params;
   made->panels = *std::move(panels);
-  made->size = request.targets.front().size();
+  for (const cv::Mat3b& target : request.targets) made->targets.push_back(target.size());
   made->job_json = job_to_text(*outcome.done);
   outcome.sheet = sheet_of(*made);
-  outcome.counts = {{"patches", static_cast<std::int64_t>(output->patches.size())},
+  outcome.counts = {{"patches", static_cast<std::int64_t>(output.patches.size())},
                     {"pieces", static_cast<std::int64_t>(made->pieces.size())},
-                    {"missing", output->without_wood},
-                    {"quartered", output->quartered},
-                    {"rounds", output->rounds},
-                    {"exchanges", output->exchanges},
+                    {"missing", output.without_wood},
+                    {"quartered", output.quartered},
+                    {"rounds", output.rounds},
+                    {"exchanges", output.exchanges},
                     {"panels", static_cast<std::int64_t>(made->panels.size())}};
-  outcome.metrics = {{"cost", static_cast<double>(output->cost)},
-                     {"greedy_cost", static_cast<double>(output->greedy_cost)},
-                     {"cost_per_px", static_cast<double>(output->cost) / static_cast<double>(made->size.area())}};
+  outcome.metrics = {{"cost", static_cast<double>(output.cost)},
+                     {"greedy_cost", static_cast<double>(output.greedy_cost)}};
+  add_targets(output, made->targets.size(), outcome);
   add_wood(*made, outcome);
   outcome.folder = [made] { return parquet_folder(*made); };
   return outcome;
 }
 
+namespace {
+
+// Of a mask, row by row from the top left: how many pixels are no wood, how many after these are, and so on in turn.
+std::vector<int> runs_of(const cv::Mat1b& mask) {
+  std::vector<int> runs = {0};
+  bool wood = false;
+  for (const std::uint8_t value : mask) {
+    if ((value != 0) != wood) runs.push_back(0);
+    wood = value != 0;
+    ++runs.back();
+  }
+  return runs;
+}
+
+// A line of JSON a panel: its mask as runs_of() and the marks' middles, px of the scan, and diameter.
+Result<std::string> describe_panels(const Job& job, const Pictures& pictures, const RunContext& context) {
+  if (scans_of(pictures).empty()) return fail(StatusCode::kInvalidInput, "panel", "is missing, expected a picture");
+  const auto panels = parquetry::look_at(scans_of(pictures), std::get<Params>(job.params), context);
+  if (!panels) return tl::unexpected<Status>(panels.error());
+  std::string text;
+  for (const Panel& panel : *panels) {
+    Json marks = Json::array();
+    for (const Point mark : panel.fiducials) marks.push_back({panel.scan_px * mark.x, panel.scan_px * mark.y});
+    text += Json({{"panel", panel.name},
+                  {"width", panel.mask.cols},
+                  {"height", panel.mask.rows},
+                  {"wood", runs_of(panel.mask)},
+                  {"marks", marks},
+                  {"mark_px", panel.scan_px * panel.fiducial_mm / panel.mm_per_px}})
+                .dump() +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
 std::vector<Question> parquet_questions() {
   const auto plan = [](const Job& job, const Pictures& pictures, const RunContext&) -> Result<std::string> {
     const auto& params = std::get<Params>(job.params);
-    const ImageView target = picture_of(pictures, "target");
-    if (auto good = check_size(target, params, parquetry::plan_mm_per_px(params)); !good)
+    const std::vector<ImageView> targets = targets_of(pictures, params);
+    if (auto good = check_size(targets, params, parquetry::plan_mm_per_px(params)); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    return describe(parquetry::plan_of({target.width, target.height}, params), params);
+    return describe(parquetry::plan_of(sizes_of(targets), params), params);
   };
   const auto forecast = [](const Job& job, const Pictures& pictures,
                            const RunContext& context) -> Result<std::string> {
@@ -256,11 +380,18 @@ std::vector<Question> parquet_questions() {
     if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
     const auto panels = parquetry::take_in(scans_of(pictures), params, context);
     if (!panels) return tl::unexpected<Status>(panels.error());
-    if (auto good = check_size(pictures.at("target"), params, panels->front().mm_per_px); !good)
+    const std::vector<ImageView> targets = targets_of(pictures, params);
+    if (auto good = check_size(targets, params, panels->front().mm_per_px); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    return describe(parquetry::forecast_of(pictures.at("target").mat(), *panels, params), *panels, params);
+    std::vector<cv::Mat3b> rgb;
+    for (const ImageView& target : targets) rgb.push_back(target.mat());
+    return describe(parquetry::forecast_of(rgb, *panels, params), *panels, params);
   };
   return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target"}, plan},
+          {"masks",
+           "Tell where wood and marks are found on the panels, a line of JSON each",
+           {"panel", "mask"},
+           describe_panels},
           {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "panel", "mask"}, forecast}};
 }
 

@@ -58,6 +58,21 @@ Stroke label(const std::string& id, const Polygon& outline) {
   return {"label-" + id, label_in(outline, id, kLargestLabelMm), false};
 }
 
+Stroke outline_of(const std::string& id, const Polygon& outline) {
+  Stroke stroke{id, {outline.outer}, true};
+  for (const Ring& hole : outline.holes) stroke.lines.push_back(hole);
+  return stroke;
+}
+
+// A target of this size at `left`, mm, on sheets of A4.
+void append_pages(double left, double width, double height, std::vector<Page>& pages) {
+  constexpr double kWide = 190, kHigh = 277;  // what a printer reaches
+  constexpr double kRest = 1e-9;
+  for (double y = 0; y < height - kRest; y += kHigh)
+    for (double x = 0; x < width - kRest; x += kWide)
+      pages.push_back({left + x, y, std::min(kWide, width - x), std::min(kHigh, height - y)});
+}
+
 }  // namespace
 
 CutSheet cut_sheet(const std::vector<Panel>& panels, std::size_t panel, const std::vector<CutPiece>& pieces,
@@ -99,29 +114,33 @@ CutSheet cut_sheet(const std::vector<Panel>& panels, std::size_t panel, const st
   return sheet;
 }
 
-Drawing assembly(const std::vector<CutPiece>& pieces, int target, cv::Size size, double mm_per_px,
-                 const Params& params) {
+Drawing assembly(const std::vector<CutPiece>& pieces, const std::vector<MissingPiece>& missing,
+                 const std::vector<cv::Size>& targets, double mm_per_px, const Params& params) {
+  const std::vector<int> lefts = side_by_side(targets);
   Drawing drawing;
-  drawing.width = size.width * mm_per_px;
-  drawing.height = size.height * mm_per_px;
-  const bool mirrored = params.side == Side::kBack;
-  const auto seen = [&](Point px) { return mm_per_px * (mirrored ? Point{size.width - px.x, px.y} : px); };
+  drawing.width = lefts.back() * mm_per_px;
+  for (const cv::Size& target : targets) drawing.height = std::max(drawing.height, target.height * mm_per_px);
+  const auto seen = [&](const Polygon& finished, int target) {
+    const auto i = static_cast<std::size_t>(target - 1);
+    const double left = lefts[i], width = targets[i].width;
+    const bool mirrored = params.side == Side::kBack;
+    return mapped(finished, [&](Point px) {
+      return mm_per_px * Point{left + (mirrored ? width - px.x : px.x), px.y};
+    });
+  };
+  DrawingLayer gaps{"missing", kLabel, 0.2, {}, /*dash=*/1.5};
   DrawingLayer outlines{"outlines", kOutline, 0.2, {}}, labels{"labels", kLabel, 0.2, {}};
+  for (const MissingPiece& piece : missing)
+    gaps.strokes.push_back(outline_of("missing-" + piece.id, seen(piece.finished, piece.target)));
   for (const CutPiece& piece : pieces) {
-    if (piece.target != target) continue;
-    const Polygon outline = mapped(piece.finished, seen);
-    Stroke stroke{"piece-" + piece.id, {outline.outer}, true};
-    for (const Ring& hole : outline.holes) stroke.lines.push_back(hole);
-    outlines.strokes.push_back(std::move(stroke));
+    const Polygon outline = seen(piece.finished, piece.target);
+    outlines.strokes.push_back(outline_of("piece-" + piece.id, outline));
     labels.strokes.push_back(label(piece.id, outline));
   }
-  drawing.layers = {std::move(outlines), std::move(labels)};
-  constexpr double kWide = 190, kHigh = 277;  // what a printer reaches of A4
-  const int across = static_cast<int>(std::ceil(drawing.width / kWide - 1e-9));
-  const int down = static_cast<int>(std::ceil(drawing.height / kHigh - 1e-9));
-  for (int row = 0; row < down && across * down > 1; ++row)
-    for (int column = 0; column < across; ++column)
-      drawing.pages.push_back({column * kWide, row * kHigh, kWide, kHigh});
+  drawing.layers = {std::move(gaps), std::move(outlines), std::move(labels)};
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    append_pages(lefts[i] * mm_per_px, targets[i].width * mm_per_px, targets[i].height * mm_per_px, drawing.pages);
+  if (drawing.pages.size() == 1) drawing.pages.clear();
   return drawing;
 }
 

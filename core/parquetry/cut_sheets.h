@@ -22,9 +22,10 @@ struct CutSheet {
 CutSheet cut_sheet(const std::vector<Panel>& panels, std::size_t panel, const std::vector<CutPiece>& pieces,
                    const Params& params);
 
-// The finished piece of a target (counted from 1), outlines and labels, seen from the side that is assembled: the one
-// that was cut, where the labels are. On pages of A4 where it is larger than one.
-Drawing assembly(const std::vector<CutPiece>& pieces, int target, cv::Size size, double mm_per_px,
-                 const Params& params);
+// The finished pieces of all targets side by side, outlines and labels, and with dashes what is missing; each seen
+// from the side that is assembled: the one that was cut, where the labels are. Layers missing, outlines, labels;
+// strokes missing-<id>, piece-<id>, label-<id>. On pages of A4, each target on its own, where one page is not enough.
+Drawing assembly(const std::vector<CutPiece>& pieces, const std::vector<MissingPiece>& missing,
+                 const std::vector<cv::Size>& targets, double mm_per_px, const Params& params);
 
 }  // namespace tessera::parquetry

@@ -17,6 +17,7 @@ struct Panel {
   cv::Mat3b scan;        // RGB
   cv::Mat1b mask;        // of the scan's size; 255: wood that may be cut, 0: background, holes, margins
   double mm_per_px = 0;  // > 0
+  double scan_px = 1;    // pixels of the scan that was handed in to one of these
 
   // Beside the wood; matching does not look at them.
   std::vector<Point> fiducials{};   // middles of its markers, px

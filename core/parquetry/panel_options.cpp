@@ -9,6 +9,8 @@
 namespace tessera::parquetry {
 namespace {
 
+constexpr std::string_view kNoMarks = "none";
+constexpr std::size_t kFewestPlaces = 3;  // that say how a panel lies
 constexpr double kLeastDpi = 20, kMostDpi = 10000, kMostMargin = 1000, kFarthest = 1e6;
 
 bool read_number(std::string_view text, double low, double high, double& value) {
@@ -19,19 +21,17 @@ bool read_number(std::string_view text, double low, double high, double& value) 
 }
 
 // "10:10,160:10"
-bool read_points(std::string_view text, std::vector<Point>& points) {
+std::optional<std::vector<Point>> read_points(std::string_view text) {
   std::vector<Point> read;
   for (const std::string_view pair : split(text, ",")) {
     const auto numbers = split(pair, ":");
     Point p;
     if (numbers.size() != 2 || !read_number(numbers[0], -kFarthest, kFarthest, p.x) ||
         !read_number(numbers[1], -kFarthest, kFarthest, p.y))
-      return false;
+      return std::nullopt;
     read.push_back(p);
   }
-  if (read.size() < 3) return false;
-  points = std::move(read);
-  return true;
+  return read;
 }
 
 // What the option must be; empty where it is.
@@ -42,9 +42,17 @@ std::string read_option(std::string_view key, std::string_view value, PanelOptio
                : fmt::format("{} to {} pixels an inch", kLeastDpi, kMostDpi);
   if (key == "margin")
     return read_number(value, 0, kMostMargin, options.margin_mm) ? "" : fmt::format("0 to {} mm", kMostMargin);
-  const bool known = key == "marks" || key == "machine";
-  if (known && read_points(value, key == "marks" ? options.marks : options.machine)) return "";
-  return known ? "three or more places x:y,x:y" : "dpi, margin, marks or machine";
+  if (key == "marks") {
+    options.marks = value == kNoMarks ? std::vector<Point>() : read_points(value);
+    return options.marks && (value == kNoMarks || !options.marks->empty()) ? "" : "places x:y,x:y or none";
+  }
+  if (key == "machine") {
+    const auto places = read_points(value);
+    if (!places || places->size() < kFewestPlaces) return "three or more places x:y,x:y";
+    options.machine = *places;
+    return "";
+  }
+  return "dpi, margin, marks or machine";
 }
 
 }  // namespace
@@ -78,9 +86,9 @@ std::vector<PanelOptions> read_panel_options(std::string_view text, const std::f
       if (!expected.empty())
         complain(fmt::format("has \"{}\" for {}, expected {}", words[i], options.name, expected));
     }
-    if (!options.marks.empty() && options.marks.size() != options.machine.size())
-      complain(fmt::format("has {} marks for {} and {} places on the machine, expected as many", options.marks.size(),
-                           options.name, options.machine.size()));
+    if (options.marks && !options.machine.empty() && options.marks->size() != options.machine.size())
+      complain(fmt::format("has {} marks for {} and {} places on the machine, expected as many",
+                           options.marks->size(), options.name, options.machine.size()));
     all.push_back(std::move(options));
   }
   return all;

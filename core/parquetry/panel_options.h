@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,9 +13,9 @@ namespace tessera::parquetry {
 
 struct PanelOptions {
   std::string name;
-  double dpi = 0;              // 0: the file says it
-  double margin_mm = 0;        // not used along the edges of the wood
-  std::vector<Point> marks;    // its fiducials on the scan, px; empty: they are found
+  double dpi = 0;                           // 0: the file says it
+  double margin_mm = 0;                     // not used along the edges of the wood
+  std::optional<std::vector<Point>> marks;  // its fiducials on the scan, px; else they are found
   std::vector<Point> machine;  // where these lie on the machine, mm; empty: the panel lies as it was scanned
 };
 

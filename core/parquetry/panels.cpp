@@ -133,11 +133,9 @@ Result<void> lay_on_machine(const Source& source, const Params& params, Panel& p
   const std::vector<Point>& machine = source.options.machine;
   if (machine.empty()) return {};
   std::vector<Point> seen;
-  const double to_panel = source.options.marks.empty() ? 1 : kInchMm / source.dpi / panel.mm_per_px;
-  for (const Point mark : source.options.marks.empty() ? panel.fiducials : source.options.marks)
-    seen.push_back(seen_by_cutter(panel, params.side, to_panel * mark));
+  for (const Point mark : panel.fiducials) seen.push_back(seen_by_cutter(panel, params.side, mark));
   std::optional<Fitted> fitted;
-  if (!source.options.marks.empty())
+  if (source.options.marks)
     fitted = fit(seen, machine, params.registration);
   else if (seen.size() >= machine.size())
     fitted = fit_unordered(seen, machine, params.registration);
@@ -155,38 +153,64 @@ Result<void> lay_on_machine(const Source& source, const Params& params, Panel& p
   return {};
 }
 
-Result<Panel> panel_of(const Source& source, double dpi, const Params& params) {
+// Its marks: those that people name, or those that show.
+void mark(const Source& source, Panel& panel) {
+  constexpr double kUsualMarkMm = 5;  // of one that nobody has seen
+  const std::vector<Marker> markers = find_markers(panel.scan, panel.mm_per_px);
+  panel.fiducial_mm = markers.empty() ? kUsualMarkMm : markers.front().diameter * panel.mm_per_px;
+  if (source.options.marks)
+    for (const Point at : *source.options.marks) panel.fiducials.push_back((1 / panel.scan_px) * at);
+  else
+    for (const Marker& marker : markers) panel.fiducials.push_back(marker.at);
+}
+
+// What is found on a scan.
+Result<Panel> found_on(const Source& source, double dpi) {
   Panel panel;
   panel.name = source.scan.name;
   panel.mm_per_px = kInchMm / dpi;
+  panel.scan_px = source.dpi / dpi;
   const Ratio step = step_of(source.dpi, dpi);
   panel.scan = resampled(source.scan.picture, step, step, size_at(source.scan.picture, step));
   auto mask = mask_of(source, step, panel);
   if (!mask) return tl::unexpected<Status>(std::move(mask.error()));
   panel.mask = *mask;
-  const std::vector<Marker> markers = find_markers(panel.scan, panel.mm_per_px);
-  for (const Marker& marker : markers) panel.fiducials.push_back(marker.at);
-  if (!markers.empty()) panel.fiducial_mm = markers.front().diameter * panel.mm_per_px;
-  trim(panel, source.options.margin_mm);
-  if (cv::countNonZero(panel.mask) == 0) return refuse(source, "has no wood within its mask, expected some");
-  if (auto laid = lay_on_machine(source, params, panel); !laid)
-    return tl::unexpected<Status>(std::move(laid.error()));
+  mark(source, panel);
   return panel;
 }
 
-}  // namespace
+Result<void> prepare(const Source& source, const Params& params, Panel& panel) {
+  trim(panel, source.options.margin_mm);
+  if (cv::countNonZero(panel.mask) == 0) return refuse(source, "has no wood within its mask, expected some");
+  return lay_on_machine(source, params, panel);
+}
 
-Result<std::vector<Panel>> take_in(const std::vector<Scan>& scans, const Params& params, const RunContext& context) {
+// What is found on each scan, and what `then` makes of it.
+template <class Then>
+Result<std::vector<Panel>> panels_of(const std::vector<Scan>& scans, const Params& params, const RunContext& context,
+                                     const Then& then) {
   const std::vector<Source> sources = sources_of(scans, params, context);
   const double dpi = common_dpi(sources, params);
   std::vector<Panel> panels;
   for (const Source& source : sources) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected<Status>(std::move(go_on.error()));
-    auto panel = panel_of(source, dpi, params);
+    auto panel = found_on(source, dpi);
     if (!panel) return tl::unexpected<Status>(std::move(panel.error()));
+    if (auto good = then(source, *panel); !good) return tl::unexpected<Status>(std::move(good.error()));
     panels.push_back(*std::move(panel));
   }
   return panels;
+}
+
+}  // namespace
+
+Result<std::vector<Panel>> take_in(const std::vector<Scan>& scans, const Params& params, const RunContext& context) {
+  return panels_of(scans, params, context,
+                   [&](const Source& source, Panel& panel) { return prepare(source, params, panel); });
+}
+
+Result<std::vector<Panel>> look_at(const std::vector<Scan>& scans, const Params& params, const RunContext& context) {
+  return panels_of(scans, params, context, [](const Source&, Panel&) { return Result<void>(); });
 }
 
 Point on_sheet(const Panel& panel, Side side, Point px) {

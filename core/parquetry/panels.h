@@ -24,6 +24,10 @@ inline constexpr double kUnknownDpi = 300;  // of a scan of which nobody says it
 // without wood, and for marks that are too few or do not fit.
 Result<std::vector<Panel>> take_in(const std::vector<Scan>& scans, const Params& params, const RunContext& context);
 
+// The same before anything is taken off the masks, and not laid on the machine: what has been found on the scans.
+// Panels without wood are no error.
+Result<std::vector<Panel>> look_at(const std::vector<Scan>& scans, const Params& params, const RunContext& context);
+
 // A place on the panel (px, front) on the sheet that the cutter gets, mm: mirrored where it cuts from the back, and
 // moved to where the panel lies.
 Point on_sheet(const Panel& panel, Side side, Point px);

@@ -11,6 +11,7 @@
 namespace tessera::parquetry {
 
 enum class Order { kSaliency, kCentre, kRows };
+enum class Sequence { kSequential, kInterleaved };
 enum class Side { kBack, kFront };
 enum class Grain { kAny, kAligned, kDegrees };
 
@@ -26,6 +27,8 @@ struct Params {
   int adaptive_levels = 0;
   double adaptive_factor = 1.2;
   Order order = Order::kSaliency;
+  int copies = 1;
+  Sequence sequence = Sequence::kSequential;
   Grain grain = Grain::kAny;
   double grain_degrees = 20;
   double kerf_mm = 0.2;
@@ -117,6 +120,17 @@ void visit(Visitor& v, Params& p) {
   v.choice(p.side, {.key = "side", .help = "From which side the panels are cut"},
            {{Side::kBack, "back", "the back, mirrored: the laser's scorch marks stay behind"},
             {Side::kFront, "front", "the front, as scanned"}});
+  v.integer(p.copies, {.key = "copies",
+                       .min = 1,
+                       .max = 1000,
+                       .ui_min = 1,
+                       .ui_max = 10,
+                       .help = "How often each target is made of the same wood",
+                       .advanced = true});
+  v.choice(p.sequence,
+           {.key = "sequence", .help = "How several targets or copies take turns at the wood", .advanced = true},
+           {{Sequence::kSequential, "sequential", "one after the other"},
+            {Sequence::kInterleaved, "interleaved", "patch by patch, as if all were one"}});
   v.integer(p.improve_tries, {.key = "improveTries",
                               .min = 0,
                               .max = 1e9,

@@ -101,4 +101,21 @@ std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vec
   return pieces;
 }
 
+std::vector<MissingPiece> missing_of(const std::vector<Patch>& patches, const std::vector<Placement>& placements) {
+  const std::vector<std::string> names = names_of(patches);
+  std::vector<MissingPiece> missing;
+  for (const Placement& placement : placements) {
+    if (placement.panel >= 0) continue;
+    const auto i = static_cast<std::size_t>(placement.patch);
+    missing.push_back({names[i], patches[i].target + 1, patches[i].outline});
+  }
+  return missing;
+}
+
+std::vector<int> side_by_side(const std::vector<cv::Size>& targets) {
+  std::vector<int> edges = {0};
+  for (const cv::Size& target : targets) edges.push_back(edges.back() + target.width);
+  return edges;
+}
+
 }  // namespace tessera::parquetry

@@ -24,6 +24,13 @@ struct CutPiece {
   double grain_deg = 0;  // of the finished piece's grain, from x towards y, [0, 180)
 };
 
+// A patch without wood.
+struct MissingPiece {
+  std::string id;  // as CutPiece has them
+  int target = 0;
+  Polygon finished{};
+};
+
 // "A", "Z", "AA" of a column counted from 0.
 std::string column_letters(int column);
 
@@ -33,5 +40,11 @@ std::vector<std::string> names_of(const std::vector<Patch>& patches);
 // A piece a placement that has a panel, in the patches' order.
 std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vector<Patch>& patches,
                                 const std::vector<Placement>& placements);
+
+// One a placement that has none.
+std::vector<MissingPiece> missing_of(const std::vector<Patch>& patches, const std::vector<Placement>& placements);
+
+// Where targets lie side by side, their tops in a line: the left edge of each, and the right one of the last, px.
+std::vector<int> side_by_side(const std::vector<cv::Size>& targets);
 
 }  // namespace tessera::parquetry

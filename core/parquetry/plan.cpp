@@ -19,9 +19,9 @@ constexpr double kPacked = 0.8;  // of the free wood, what turned pieces can be 
 
 int tone_of(int level) { return level * kTones / 256; }
 
-Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px) {
-  Plan plan;
-  plan.pieces = static_cast<int>(patches.size());
+void add(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px, Plan& plan) {
+  ++plan.targets;
+  plan.pieces += static_cast<int>(patches.size());
   plan.width_mm = size.width * mm_per_px;
   plan.height_mm = size.height * mm_per_px;
   const double around = params.kerf_mm + params.clearance_mm;
@@ -34,7 +34,6 @@ Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& par
     plan.cut_mm += 2 * (width + height + 2 * params.kerf_mm);
   }
   plan.minutes = plan.cut_mm / params.cut_speed / 60;
-  return plan;
 }
 
 // Means over the area of a patch.
@@ -56,22 +55,23 @@ double plan_mm_per_px(const Params& params) {
 
 const char* tone_name(int level) { return kToneNames[tone_of(level)]; }
 
-Plan plan_of(cv::Size target, const Params& params) {
+Plan plan_of(const std::vector<cv::Size>& targets, const Params& params) {
   const double mm_per_px = plan_mm_per_px(params);
-  const double scale = params.image_size_mm / mm_per_px / std::min(target.width, target.height);
-  const cv::Size size(static_cast<int>(std::lround(target.width * scale)),
-                      static_cast<int>(std::lround(target.height * scale)));
-  return plan_of(grid_patches(size, params, mm_per_px), size, params, mm_per_px);
+  Plan plan;
+  for (const cv::Size& target : targets) {
+    const double scale = params.image_size_mm / mm_per_px / std::min(target.width, target.height);
+    const cv::Size size(static_cast<int>(std::lround(target.width * scale)),
+                        static_cast<int>(std::lround(target.height * scale)));
+    add(grid_patches(size, params, mm_per_px), size, params, mm_per_px, plan);
+  }
+  return plan;
 }
 
 double Forecast::free() const { return std::accumulate(free_mm2.begin(), free_mm2.end(), 0.0); }
 
-Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, const Params& params) {
+Forecast forecast_of(const std::vector<cv::Mat3b>& targets, const std::vector<Panel>& panels, const Params& params) {
   const double mm_per_px = panels.front().mm_per_px, mm2 = mm_per_px * mm_per_px;
-  const cv::Mat3b sized = at_resolution(target, params, mm_per_px);
-  const std::vector<Patch> patches = grid_patches(sized.size(), params, mm_per_px);
   Forecast forecast;
-  forecast.plan = plan_of(patches, sized.size(), params, mm_per_px);
   for (const char* name : kToneNames) forecast.tones.push_back({name});
   Histogram wood{};
   for (const Panel& panel : panels) {
@@ -84,26 +84,33 @@ Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, 
       forecast.tones[static_cast<std::size_t>(tone_of(level))].free_mm2 +=
           static_cast<double>(coarse[static_cast<std::size_t>(level)]) * mm2;
   }
-  const cv::Mat1b levels = intensity_of(sized);
-  const Tones tones = matched_tones(histogram_of(levels, {}), wood, params.weight_histogram);
   const double around = params.kerf_mm + params.clearance_mm;
-  for (const Patch& patch : patches) {
-    std::int64_t sum = 0;
-    for (const std::uint8_t level : cv::Mat1b(levels(patch.box).clone())) sum += tones[level];
-    const int tone = tone_of(static_cast<int>(sum / patch.box.area()));
-    forecast.tones[static_cast<std::size_t>(tone)].needed_mm2 +=
-        (patch.box.width * mm_per_px + around) * (patch.box.height * mm_per_px + around);
+  for (const cv::Mat3b& target : targets) {
+    const cv::Mat1b levels = intensity_of(at_resolution(target, params, mm_per_px));
+    const std::vector<Patch> patches = grid_patches(levels.size(), params, mm_per_px);
+    add(patches, levels.size(), params, mm_per_px, forecast.plan);
+    const Tones tones = matched_tones(histogram_of(levels, {}), wood, params.weight_histogram);
+    for (const Patch& patch : patches) {
+      std::int64_t sum = 0;
+      for (const std::uint8_t level : cv::Mat1b(levels(patch.box).clone())) sum += tones[level];
+      const int tone = tone_of(static_cast<int>(sum / patch.box.area()));
+      forecast.tones[static_cast<std::size_t>(tone)].needed_mm2 +=
+          (patch.box.width * mm_per_px + around) * (patch.box.height * mm_per_px + around);
+    }
   }
   return forecast;
 }
 
 std::string describe(const Plan& plan, const Params& params) {
+  const std::string what = plan.targets > 1
+                               ? fmt::format("{} pieces of {} targets", plan.pieces, plan.targets)
+                               : fmt::format("{} pieces in {} rows of {}, {:.1f} x {:.1f} mm", plan.pieces, plan.rows,
+                                             plan.columns, plan.width_mm, plan.height_mm);
   return fmt::format(
-      "{} pieces in {} rows of {}, {:.1f} x {:.1f} mm\n"
+      "{}\n"
       "wood: {:.0f} cm2, with kerf and clearance {:.0f} cm2\n"
       "cutting: {:.2f} m, {:.1f} minutes at {:g} mm/s\n",
-      plan.pieces, plan.rows, plan.columns, plan.width_mm, plan.height_mm, plan.wood_mm2 / 100, plan.taken_mm2 / 100,
-      plan.cut_mm / 1000, plan.minutes, params.cut_speed);
+      what, plan.wood_mm2 / 100, plan.taken_mm2 / 100, plan.cut_mm / 1000, plan.minutes, params.cut_speed);
 }
 
 std::string describe(const Forecast& forecast, const std::vector<Panel>& panels, const Params& params) {

@@ -9,17 +9,18 @@
 
 namespace tessera::parquetry {
 
-// Of a target's size alone; adaptive patches only make more of them.
+// Of the targets' sizes alone; adaptive patches only make more of them.
 struct Plan {
-  int pieces = 0, rows = 0, columns = 0;
-  double width_mm = 0, height_mm = 0;  // of the finished piece
+  int targets = 0, pieces = 0;
+  int rows = 0, columns = 0;           // of one target, where there is just one;
+  double width_mm = 0, height_mm = 0;  // of the finished piece, too
   double wood_mm2 = 0;                 // of all pieces
   double taken_mm2 = 0;                // the same with kerf and clearance around each
   double cut_mm = 0;                   // all outlines
   double minutes = 0;                  // of cutting, at cutSpeed
 };
 double plan_mm_per_px(const Params& params);  // that of panels of 150 dpi, where resolutionDpi says nothing
-Plan plan_of(cv::Size target, const Params& params);
+Plan plan_of(const std::vector<cv::Size>& targets, const Params& params);
 std::string describe(const Plan& plan, const Params& params);
 
 const char* tone_name(int level);  // "light" of 255
@@ -27,7 +28,7 @@ const char* tone_name(int level);  // "light" of 255
 // Wood and target of one range of brightness, averaged over the area of a patch.
 struct ToneSupply {
   const char* name;
-  double needed_mm2 = 0;  // taken by the target's patches of that tone, after w_hist has moved it
+  double needed_mm2 = 0;  // taken by the targets' patches of that tone, after w_hist has moved them
   double free_mm2 = 0;
 };
 
@@ -38,7 +39,7 @@ struct Forecast {
   double free() const;
 };
 // Whether the panels suffice. What is free is not all usable: between pieces that do not fill a panel wood is left.
-Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, const Params& params);
+Forecast forecast_of(const std::vector<cv::Mat3b>& targets, const std::vector<Panel>& panels, const Params& params);
 std::string describe(const Forecast& forecast, const std::vector<Panel>& panels, const Params& params);
 
 }  // namespace tessera::parquetry

@@ -71,27 +71,39 @@ std::int64_t cost_of(const std::vector<Laid>& pieces) {
   return sum;
 }
 
+std::set<Place> places_of(const std::vector<Laid>& pieces) {
+  std::set<Place> places;
+  for (const Laid& laid : pieces) places.insert(place_of(laid.patch));
+  return places;
+}
+
+// Whether an earlier run has come to the end of it.
+bool is_laid(const Request& request) {
+  const std::set<Place> done = places_of(request.earlier);
+  return !request.earlier.empty() &&
+         std::all_of(request.patches.begin(), request.patches.end(),
+                     [&](const Patch& patch) { return done.count(place_of(patch)) != 0; });
+}
+
 // 3.3: each patch in its order.
 Result<std::vector<Laid>> lay_all(Workshop& workshop, const Request& request, const RunContext& context,
                                   const LaidObserver& observer) {
   Greedy greedy(workshop);
   std::vector<Laid> pieces = request.earlier;
-  std::set<Place> done;
-  for (const Laid& laid : pieces) {
-    greedy.lay_again(laid);
-    done.insert(place_of(laid.patch));
-  }
+  for (const Laid& laid : pieces) greedy.lay_again(laid);
+  const std::set<Place> done = places_of(pieces);
+  const auto patches = static_cast<double>(request.patches.size());
+  if (!done.empty()) context.progress(static_cast<double>(done.size()) / patches);
   const std::vector<int> order =
       order_of(request.patches, request.targets, workshop.params().order, request.interleaved);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Patch& patch = request.patches[order[i]];
-    if (done.count(place_of(patch)) == 0) {
-      if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
-      const std::vector<Laid> laid = greedy.lay(patch);
-      if (observer) observer(laid);
-      pieces.insert(pieces.end(), laid.begin(), laid.end());
-    }
-    context.progress(static_cast<double>(i + 1) / static_cast<double>(order.size()));
+    if (done.count(place_of(patch)) != 0) continue;
+    if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
+    const std::vector<Laid> laid = greedy.lay(patch);
+    if (observer) observer(laid);
+    pieces.insert(pieces.end(), laid.begin(), laid.end());
+    context.progress(static_cast<double>(i + 1) / patches);
   }
   return pieces;
 }
@@ -101,6 +113,12 @@ Result<std::vector<Laid>> lay_all(Workshop& workshop, const Request& request, co
 Result<Output> run(const std::vector<Panel>& panels, const Request& request, const Params& params,
                    const RunContext& context, const LaidObserver& observer) {
   if (auto good = check(panels, request, params); !good) return tl::unexpected(good.error());
+  if (is_laid(request) && !request.improve) {
+    Output output = collected(request.earlier);
+    output.greedy_cost = output.cost;
+    context.progress(1);
+    return output;
+  }
 
   context.stage("features");
   Workshop workshop(panels, request.targets, request.patches, params);

@@ -42,7 +42,7 @@ using LaidObserver = std::function<void(const std::vector<Laid>& pieces)>;
 // Fails with kInvalidInput for `target` or `panel` without pixels, with kInvalidParameter for resolutionDpi where the
 // views of the panels would not fit into memory, kCancelled or kTimeout as `context` says. Stages: features,
 // matching, and with `improve` improving. The same arguments, the same result, for any number of threads; but that
-// improving depends on what `improve` says.
+// improving depends on what `improve` says. Where an earlier run has laid everything there are no stages.
 Result<Output> run(const std::vector<Panel>& panels, const Request& request, const Params& params,
                    const RunContext& context, const LaidObserver& observer = {});
 

@@ -105,6 +105,10 @@ class TechniqueCommand {
     for (const InputRole& role : technique.inputs) {
       const std::string name(role.name);
       if (role.many) continue;
+      if (is_many(name)) {
+        app_.add_option(upper(role.name), many_[name], std::string(role.help))->required()->type_name("FILE");
+        continue;
+      }
       std::string& path = inputs_[name];
       if (role.required) {
         app_.add_option(upper(role.name), path, std::string(role.help))->required()->type_name("FILE");
@@ -137,6 +141,9 @@ class TechniqueCommand {
     command.settings = run_.read(problems);
     command.job.inputs = inputs_;
     std::erase_if(command.job.inputs, [](const auto& input) { return input.second.empty(); });
+    for (const auto& [name, paths] : many_)  // target, target-2, target-3
+      for (std::size_t i = 0; i < paths.size(); ++i)
+        command.job.inputs[i == 0 ? name : fmt::format("{}-{}", name, i + 1)] = paths[i];
     command.job.params = technique_.defaults;
     Json given = main_.given();
     given.update(advanced_.given());
@@ -158,6 +165,12 @@ class TechniqueCommand {
     for (const InputRole& role : technique_.inputs)
       if (role.name == name) return &role;
     return nullptr;
+  }
+
+  // Whether a role takes one picture and then more with names.
+  bool is_many(std::string_view name) const {
+    return std::any_of(technique_.inputs.begin(), technique_.inputs.end(),
+                       [&](const InputRole& role) { return role.many && role.name == name; });
   }
 
   void take_panels(Json& given, Job& job, Problems& problems) const {
@@ -206,6 +219,7 @@ class TechniqueCommand {
   const Technique& technique_;
   CLI::App& app_;
   std::map<std::string, std::string> inputs_;
+  std::map<std::string, std::vector<std::string>> many_;
   std::vector<std::string> panels_;
   std::map<std::string_view, bool> asked_;  // question -> whether it is
   std::string subject_;

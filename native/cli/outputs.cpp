@@ -69,8 +69,8 @@ std::string file_name_in(const std::string& folder, const std::string& artifact)
 
 bool is_in_folder(const Artifact& artifact) { return artifact.name.compare(0, 7, "folder/") == 0; }
 
-// Cut files of an earlier run, which could be taken for this one's.
-std::vector<std::string> panel_files_in(const std::string& folder) {
+// Cut files and previews of an earlier run, which could be taken for this one's.
+std::vector<std::string> numbered_files_in(const std::string& folder) {
   std::vector<std::string> found;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
@@ -78,9 +78,11 @@ std::vector<std::string> panel_files_in(const std::string& folder) {
     const auto ends_with = [&](std::string_view end) {
       return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
     };
-    if (name.compare(0, 6, "panel-") == 0 &&
-        (ends_with(".cut.svg") || ends_with(".cut.dxf") || ends_with(".preview.png")))
-      found.push_back(file_name_in(folder, name));
+    const bool is_panel = name.compare(0, 6, "panel-") == 0 &&
+                          (ends_with(".cut.svg") || ends_with(".cut.dxf") || ends_with(".preview.png"));
+    const bool is_preview = name.size() > 12 && name.compare(0, 8, "preview-") == 0 && ends_with(".png") &&
+                            name.find_first_not_of("0123456789", 8) == name.size() - 4;
+    if (is_panel || is_preview) found.push_back(file_name_in(folder, name));
   }
   return found;
 }
@@ -148,7 +150,7 @@ Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const s
       if (!names.insert(file).second) break;  // the next output is a folder, too
       if (auto done = write(file, artifact->bytes); !done) return tl::unexpected<Status>(std::move(done.error()));
     }
-    for (const std::string& old : panel_files_in(path))
+    for (const std::string& old : numbered_files_in(path))
       if (!names.count(old)) files.remove(old);
   }
   for (; artifact != result.artifacts.end(); ++artifact) {

@@ -19,6 +19,8 @@ class ProgressBar {
 
   void stage(std::string_view name);
   void progress(double fraction);  // 0 to 1
+  // So much was there before: the time left is told by what comes from now on.
+  void begin_at(double fraction);
   // Takes the bar off the screen, so that a line can be written; the next change brings it back.
   void clear();
 
@@ -29,7 +31,7 @@ class ProgressBar {
   bool shown_;
   bool on_screen_ = false;
   std::string stage_;
-  double fraction_ = 0;
+  double fraction_ = 0, begun_at_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_{};
 };

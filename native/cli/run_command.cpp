@@ -76,7 +76,10 @@ class Run {
       begin(stage);
       improving_ = {};
     };
-    context.on_progress = [this](double fraction) { bar_.progress(fraction); };
+    context.on_progress = [this, leaps = !checkpoint_.earlier().empty()](double fraction) mutable {
+      if (std::exchange(leaps, false)) bar_.begin_at(fraction);  // what the earlier run did is there at once
+      bar_.progress(fraction);
+    };
     context.on_warning = [this](std::string_view message) { warn(message); };
     if (!checkpoint_.path().empty())
       context.on_state = [this](const std::function<std::string()>& state) { checkpoint_.offer(state); };

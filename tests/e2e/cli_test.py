@@ -37,7 +37,7 @@ class UsageTest(CliTest):
             self.succeed(command, '--help')
 
     def test_wrong_usage(self):
-        self.fail_with(2, says=['expected pave, mosaic, pebbles, pattern, parquet, measure, fit, run or schema'])
+        self.fail_with(2, says=['expected pave, mosaic, pebbles, pattern, parquet, measure, fit, run, batch or schema'])
         self.fail_with(2, 'fold', says=['fold'])
         self.fail_with(2, 'pave', says=['DRAWING'])
         self.fail_with(2, 'pave', 'disc.png', says=['-o'])

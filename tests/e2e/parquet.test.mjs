@@ -1,7 +1,7 @@
 // The Parquetry tab as people use it: a target and scans of wood in, cut files out.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { after, test } from 'node:test';
 import { crc32, deflateSync } from 'node:zlib';
 import { unzipSync } from 'fflate';
@@ -109,6 +109,14 @@ for (const isolated of [true, false]) {
       const nativeReport = JSON.parse(readFileSync(join(folder, 'out/report.json')));
       assert.deepEqual(report.counts, nativeReport.counts);
       assert.deepEqual(report.metrics, nativeReport.metrics);
+      const sums = ({ inputs }) => inputs.map(({ path, width, height, sha256 }) => [basename(path), width, height, sha256]).sort();
+      assert.deepEqual(sums(report), sums(nativeReport));
+      const written = ({ outputs }) =>
+        outputs
+          .map(({ path, bytes, sha256 }) => [basename(path), bytes, sha256])
+          .filter(([name]) => /\.(csv|png|dxf)$/.test(name))
+          .sort();
+      assert.deepEqual(written(report), written(nativeReport));
       const told = await page.locator('.bar-text strong').textContent();
       assert.equal(told, `${rowsOf(files.get('pieces.csv')).length} pieces`);
     });
@@ -200,6 +208,125 @@ test('panels have names, resolutions and masks; what was changed is undone', asy
     assert.equal(JSON.parse((await app.download('job')).text).inputs['panel-elm'], undefined);
     await app.change(() => app.button('Undo').click());
     assert.equal(JSON.parse((await app.download('job')).text).params.panels, 'elm dpi=100');
+  });
+});
+
+/** A place of a scan of 320 x 240 px, on the page. */
+async function onScan(page, panel, x, y) {
+  const box = await page.locator(`.wood-sheet[data-panel=${panel}] .scan-tool`).boundingBox();
+  return [box.x + (x / 320) * box.width, box.y + (y / 240) * box.height];
+}
+
+const jobOf = async (app) => JSON.parse((await app.download('job')).text);
+
+test('masks are found, and corrected with a brush', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    // A board on a bright, even lid.
+    const onLid = (x, y) => x < 20 || y < 20 || x >= 300 || y >= 220;
+    const lid = png(320, 240, 50, (x, y) => (onLid(x, y) ? 250 + (((x * 31 + y * 17) ^ (x * y)) % 3) : grain(x, y, 0) * 0.8));
+    writeFileSync(join(folder, 'board.png'), lid);
+    await app.change(() => chooseTarget(page, join(folder, 'target.png')));
+    await app.change(() => choosePanels(page, join(folder, 'board.png')));
+    await app.button('Mask').click();
+    const shaded = (x, y) =>
+      page.evaluate(
+        async ([u, v]) => {
+          const image = new Image();
+          image.src = document.querySelector('.wood-sheet mask image').getAttribute('href');
+          await image.decode();
+          const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+          context.drawImage(image, 0, 0);
+          return context.getImageData(u * image.width, v * image.height, 1, 1).data[3] > 0;
+        },
+        [x / 320, y / 240],
+      );
+    assert.deepEqual(await Promise.all([shaded(5, 5), shaded(160, 120), shaded(310, 120)]), [true, false, true]);
+    // The right half is no wood.
+    await app.button('Broad brush').click();
+    const places = [];
+    for (let y = 10; y < 240; y += 30) places.push(await onScan(page, 'board', y % 60 === 10 ? 190 : 310, y), await onScan(page, 'board', y % 60 === 10 ? 310 : 190, y));
+    await app.change(() => app.drag(places));
+    const files = unzip(await app.download('ZIP'));
+    const rows = rowsOf(files.get('pieces.csv'));
+    assert.ok(rows.length > 0);
+    assert.ok(rows.every((row) => Number(row[5]) < (170 * 25.4) / 50), 'cut where there is no wood');
+    // The job and the mask that comes with it make the same elsewhere.
+    const job = await app.download('job');
+    assert.equal(JSON.parse(job.text).inputs['mask-board'], 'board-mask.png');
+    writeFileSync(join(folder, 'board-mask.png'), files.get('board-mask.png'));
+    writeFileSync(join(folder, 'job.json'), job.text);
+    native('run', join(folder, 'job.json'), '-o', join(folder, 'out/'));
+    assert.equal(readFileSync(join(folder, 'out/pieces.csv'), 'utf8'), files.get('pieces.csv').toString());
+    await app.change(() => app.button('Undo stroke').click());
+    assert.equal((await jobOf(app)).inputs['mask-board'], undefined);
+    // By keys alone.
+    await app.button('Mask').click();
+    await app.button('Mask').click();
+    await page.locator('.scan-tool').focus();
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press(' ');
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowRight');
+    await page.locator('.scan-stroke').waitFor({ state: 'attached' });
+    await app.change(() => page.keyboard.press(' '));
+    assert.equal((await jobOf(app)).inputs['mask-board'], 'board-mask.png');
+    await page.locator('.scan-tool').focus();
+    await page.keyboard.press('Escape');
+    await page.locator('.scan-tool').waitFor({ state: 'detached' });
+  });
+});
+
+test('marks are found, confirmed, added and removed', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    const middles = [[40, 40], [280, 40], [280, 200]];
+    const disc = (x, y) => middles.some(([u, v]) => Math.hypot(x + 0.5 - u, y + 0.5 - v) < 6);
+    writeFileSync(join(folder, 'marked.png'), png(320, 240, 50, (x, y) => (disc(x, y) ? 15 : 190 + grain(x, y, 0) / 9)));
+    await app.change(() => chooseTarget(page, join(folder, 'target.png')));
+    await app.change(() => choosePanels(page, join(folder, 'marked.png')));
+    await page.getByText('3 marks').waitFor();
+    await app.button('Marks').click();
+    await app.change(() => app.button('Confirm marks').click());
+    const marks = async () => /marks=(\S+)/.exec((await jobOf(app)).params.panels)?.[1];
+    const found = (await marks()).split(',').map((pair) => pair.split(':').map(Number));
+    assert.equal(found.length, 3);
+    found.forEach(([x, y], i) => assert.ok(Math.hypot(x - middles[i][0], y - middles[i][1]) < 1, `${x} ${y}`));
+    await app.change(async () => page.mouse.click(...(await onScan(page, 'marked', 100, 120))));
+    const more = (await marks()).split(',');
+    assert.equal(more.length, 4);
+    const [x, y] = more[3].split(':').map(Number);
+    assert.ok(Math.hypot(x - 100, y - 120) < 2, more[3]);
+    const fiducials = unzip(await app.download('ZIP')).get('panel-marked.cut.svg').toString().match(/ id="mark-\d+"/g);
+    assert.equal(fiducials.length, 4);
+    for (const [u, v] of [...middles, [100, 120]])
+      await app.change(async () => page.mouse.click(...(await onScan(page, 'marked', u, v))));
+    assert.equal(await marks(), 'none');
+    await app.change(() => app.button('Find marks').click());
+    assert.equal(await marks(), undefined);
+    await page.getByText('3 marks').waitFor();
+  });
+});
+
+test('what only the cut files take is not matched again', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    const told = async () => {
+      const files = unzip(await app.download('ZIP'));
+      return { rows: files.get('pieces.csv').toString(), report: JSON.parse(files.get('report.json')) };
+    };
+    const before = await told();
+    const matched = ({ report }) => report.stages.some(({ name }) => name === 'matching');
+    assert.ok(matched(before));
+    await page.locator('.more summary').click();
+    await app.change(() => app.set('Cut speed', 5));
+    const after = await told();
+    assert.equal(matched(after), false);
+    assert.equal(after.rows, before.rows);
+    assert.ok(Math.abs(after.report.metrics.cut_minutes / before.report.metrics.cut_minutes - 4) < 1e-9);
+    await app.change(() => app.set('Kerf mm', 0.6));
+    assert.ok(matched(await told()));
+    await app.change(() => app.set('Copies', 2));
+    const files = unzip(await app.download('ZIP'));
+    assert.ok(files.has('preview-2.png'));
+    assert.match(files.get('pieces.csv').toString(), /^2-A1,/m);
   });
 });
 

@@ -32,6 +32,7 @@ def disc_png(size):
 
 
 SMALL = ['--image-size-mm', 60, '--patch-mm', 10, '--rotations', 3]
+SMALLER = ['--image-size-mm', 30, *SMALL[2:]]
 
 
 class ParquetTest(CliTest):
@@ -132,6 +133,16 @@ class ParquetTest(CliTest):
         self.assertIn('does not suffice', poor)
         self.assertEqual(self.names(), before)
 
+    def test_masks_and_marks_are_told(self):
+        self.put('mask.png', png(300, 240, lambda x, y: 255 if x < 200 else 0))
+        before = self.names()
+        told = self.parquet('--panel', 'board.png,mask=mask.png,name=oak,marks=10:20', '--panel', 'second.png,dpi=60', '--masks')
+        oak, second = (json.loads(line) for line in told.stdout.splitlines())
+        self.assertEqual((oak['panel'], oak['width'], oak['height'], oak['marks']), ('oak', 300, 240, [[10, 20]]))
+        self.assertEqual(oak['wood'], [0, 200] + [100, 200] * 239 + [100])
+        self.assertEqual((second['panel'], sum(second['wood'])), ('second', 200 * 160))
+        self.assertEqual(self.names(), before)
+
     def test_too_little_wood_makes_what_it_can(self):
         done = self.succeed('parquet', 'target.png', '--panel', 'second.png,dpi=60', '--image-size-mm', 120, '--rotations', 1,
                             '-o', 'out')
@@ -139,6 +150,52 @@ class ParquetTest(CliTest):
         counts = self.report()['counts']
         self.assertGreater(counts['missing'], 0)
         self.assertEqual(counts['missing'] + len(self.rows()), 81)
+
+    def test_several_targets_from_the_same_wood(self):
+        self.put('other.png', png(80, 60, lambda x, y: 40 + 2 * x))
+        self.succeed('parquet', 'target.png', 'other.png', *SMALLER, '--panel', 'board.png,name=oak', '-o', 'out')
+        self.assertEqual(json.loads(self.bytes_of('out/job.json'))['inputs'],
+                         {'target': 'target.png', 'target-2': 'other.png', 'panel-oak': 'board.png'})
+        self.assertLess({'preview.png', 'preview-2.png', 'assembly.svg'}, set(self.files()))
+        rows = self.rows()
+        self.assertEqual([row['target'] for row in rows], ['1'] * 9 + ['2'] * 12)
+        ids = {row['id'] for row in rows}
+        self.assertEqual(len(ids), 21)
+        self.assertLess({'1-A1', '1-C3', '2-A1', '2-D3'}, ids)
+        self.assertEqual(set(self.paths('out/panel-oak.cut.svg', 'cut')), {f'cut-{i}' for i in ids})
+        self.assertEqual(set(self.paths('out/assembly.svg', 'outlines')), {f'piece-{i}' for i in ids})
+        self.assertAlmostEqual(float(xml.fromstring(self.bytes_of('out/assembly.svg')).get('width')[:-2]), 30 + 40, delta=1)
+        report = self.report()
+        costs = [report['metrics'][f'cost_target_{k}'] for k in (1, 2)]
+        self.assertEqual(sum(costs), report['metrics']['cost'])
+        self.assertEqual(costs, [sum(int(r['cost']) for r in rows if r['target'] == k) for k in '12'])
+        self.assertEqual(report['counts']['pieces_target_2'], 12)
+        self.succeed('run', 'out/job.json', '-o', 'again')
+        self.assertEqual(self.files('out'), self.files('again'))
+        self.succeed('parquet', 'target.png', 'other.png', *SMALLER, '--panel', 'board.png,name=oak', '--sequence', 'interleaved',
+                     '-o', 'mixed')
+        self.assertNotEqual(self.bytes_of('mixed/pieces.csv'), self.bytes_of('out/pieces.csv'))
+        plan = self.succeed('parquet', 'target.png', 'other.png', *SMALLER, '--plan').stdout.decode()
+        self.assertIn('21 pieces of 2 targets', plan)
+        self.succeed('parquet', 'target.png', *SMALLER, '--panel', 'board.png,name=oak', '-o', 'out')
+        self.assertNotIn('preview-2.png', self.files())
+
+    def test_the_same_target_until_the_wood_is_gone(self):
+        done = self.succeed('parquet', 'target.png', '--image-size-mm', 40, *SMALL[2:], '--panel', 'second.png,dpi=60,name=fir',
+                            '--copies', 3, '-o', 'out')
+        self.assertIn(b'no wood is left for', done.stderr)
+        report, rows = self.report(), self.rows()
+        counts, metrics = report['counts'], report['metrics']
+        self.assertEqual([counts[f'pieces_target_{k}'] + counts[f'missing_target_{k}'] for k in (1, 2, 3)], [16] * 3)
+        self.assertEqual(len(rows) + counts['missing'], 3 * 16)
+        self.assertEqual(counts['missing_target_1'], 0)
+        self.assertGreater(counts['missing_target_3'], 0)
+        self.assertLess(metrics['cost_per_px_target_1'], metrics['cost_per_px_target_2'])
+        missing = self.paths('out/assembly.svg', 'missing')
+        self.assertEqual(len(missing), counts['missing'])
+        self.assertFalse({name.removeprefix('missing-') for name in missing} & {row['id'] for row in rows})
+        named = re.search(r'patches: (.*?)(?: and|;)', done.stderr.decode()).group(1).split(', ')
+        self.assertLessEqual({f'missing-{name}' for name in named}, set(missing))
 
     def test_an_unknown_resolution_is_guessed_aloud(self):
         done = self.succeed('parquet', 'target.png', '--image-size-mm', 10, '--patch-mm', 5, '--panel', 'second.png,name=fir',

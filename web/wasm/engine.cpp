@@ -62,10 +62,13 @@ tl::expected<const Outcome*, Problems> Engine::run(const Job& job, BackendChoice
                                                    const IterationObserver& observer, std::string& backend) {
   finished_.reset();  // its memory is wanted now
   begin(context);
+  context.earlier = state_;
+  context.earlier_if_fits = true;
   const auto rasterizer = make_rasterizer(choice, context);
   auto outcome = compute_job(job, pictures(), *rasterizer, context, observer, /*records=*/true);
   if (!outcome) return tl::unexpected<Problems>(std::move(outcome.error()));
   backend = rasterizer->name();
+  if (!outcome->state.empty()) state_ = std::move(outcome->state);
   finished_ = Finished{job, *std::move(outcome)};
   return &finished_->outcome;
 }
@@ -91,8 +94,11 @@ tl::expected<std::string, Problems> Engine::ask(const std::string& question, con
         Problems{{StatusCode::kInvalidParameter, question, "is no question of the technique"}});
   begin(context);
   const Pictures given = pictures();
+  const auto looks_at = [&](std::string_view role) {
+    return std::find(asked->inputs.begin(), asked->inputs.end(), role) != asked->inputs.end();
+  };
   for (const InputRole& role : technique_of(job.params).inputs)
-    if (!role.many && role.required && given.count(std::string(role.name)) == 0)
+    if (!role.many && role.required && looks_at(role.name) && given.count(std::string(role.name)) == 0)
       return tl::unexpected<Problems>(
           Problems{{StatusCode::kInvalidInput, std::string(role.name), "is missing, expected a picture"}});
   return guarded([&] { return asked->answer(job, given, context); });

@@ -35,7 +35,8 @@ class Engine {
   // Tells that a WebGL2 context is current on this thread. Fails where the diagram cannot be drawn with it.
   Result<void> use_gl(bool software);
 
-  // The result stays for artifact() until the next run, with its iterations for "apng". Whatever the choice, the CPU
+  // The result stays for artifact() until the next run, with its iterations for "apng"; what of it took long is not
+  // done again where the next job differs only in what comes after. Whatever the choice, the CPU
   // takes over where GL fails on the way. `backend` is set to the one that drew last.
   tl::expected<const Outcome*, Problems> run(const Job& job, BackendChoice choice, RunContext context,
                                              const IterationObserver& observer, std::string& backend);
@@ -65,6 +66,7 @@ class Engine {
   };
   std::map<std::string, Input> pictures_;
   std::optional<Finished> finished_;
+  std::string state_;  // that the last long run has left
   std::atomic<int> stop_{0};
   bool has_gl_ = false, gl_is_software_ = false;
 };

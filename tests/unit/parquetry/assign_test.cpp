@@ -1,5 +1,6 @@
 #include "tessera/parquetry/assign.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "boards.h"
@@ -99,6 +100,40 @@ TEST(Greedy, SaysWhatFoundNoWood) {
   small = scene(3);
   small.panels[0].mask.setTo(0);
   EXPECT_EQ(output_of(small).without_wood, 12);
+}
+
+// 3.3, 4.2: what is left for a copy was there for the copy before it, so that no patch gets cheaper.
+TEST(Targets, AgainAndAgainFromOnePanel) {
+  for (int seed = 1; seed <= 3; ++seed)
+    for (const bool interleaved : {false, true}) {
+      SCOPED_TRACE(fmt::format("{} {}", seed, interleaved));
+      Scene copies = scene(seed);
+      copies.request.interleaved = interleaved;
+      constexpr int kCopies = 5, kPatches = 12;
+      for (int copy = 1; copy < kCopies; ++copy) {
+        copies.request.targets.push_back(copies.request.targets[0]);
+        for (const Patch& patch : grid_patches({48, 36}, copies.params, 1, copy))
+          copies.request.patches.push_back(patch);
+      }
+      const Output output = output_of(copies);
+      expect_valid(copies, output);
+      ASSERT_EQ(output.patches.size(), std::size_t{kCopies * kPatches});
+      std::int64_t sum = 0;
+      int missing = 0;
+      for (int i = 0; i < kCopies * kPatches; ++i) {
+        const Placement& now = output.placements[i];
+        EXPECT_EQ(output.patches[i].target, i / kPatches);
+        sum += now.cost;
+        missing += now.panel < 0;
+        if (i < kPatches || now.panel < 0) continue;
+        const Placement& before = output.placements[i - kPatches];
+        EXPECT_GE(before.panel, 0);
+        EXPECT_GE(now.cost, before.cost);
+      }
+      EXPECT_EQ(output.cost, sum);
+      EXPECT_EQ(output.without_wood, missing);
+      EXPECT_GT(missing, 0);  // the wood is gone
+    }
 }
 
 TEST(Greedy, IsTheSameForAnyNumberOfThreads) {

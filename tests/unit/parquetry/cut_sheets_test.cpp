@@ -8,6 +8,7 @@
 #include <set>
 
 #include "scans.h"
+#include "tessera/formats/formats.h"
 #include "tessera/geometry/inscribed.h"
 #include "tessera/parquetry/cut_order.h"
 #include "tessera/parquetry/lettering.h"
@@ -171,7 +172,7 @@ TEST(Assembly, IsSeenFromTheSideThatIsCut) {
   for (const Side side : {Side::kBack, Side::kFront}) {
     Params params;
     params.side = side;
-    const Drawing drawing = assembly(e.pieces, 1, e.size, kMmPerPx, params);
+    const Drawing drawing = assembly(e.pieces, {}, {e.size}, kMmPerPx, params);
     EXPECT_NEAR(drawing.width, 40, 1e-9);
     EXPECT_NEAR(drawing.height, 30, 1e-9);
     const auto& outlines = layer(drawing, "outlines").strokes;
@@ -184,7 +185,7 @@ TEST(Assembly, IsSeenFromTheSideThatIsCut) {
 
 TEST(Assembly, IsPrintedOnPagesThatCoverIt) {
   const Example e = example();
-  const Drawing drawing = assembly(e.pieces, 1, e.size, 2, {});  // 400 x 300 mm
+  const Drawing drawing = assembly(e.pieces, {}, {e.size}, 2, {});  // 400 x 300 mm
   EXPECT_EQ(drawing.pages.size(), 6U);
   double right = 0, bottom = 0;
   for (const Page& page : drawing.pages) {
@@ -193,6 +194,41 @@ TEST(Assembly, IsPrintedOnPagesThatCoverIt) {
   }
   EXPECT_GE(right, drawing.width);
   EXPECT_GE(bottom, drawing.height);
+}
+
+// Several targets lie side by side, each mirrored by itself and on a page of its own.
+TEST(Assembly, HasEveryTargetOnce) {
+  Example e = example();
+  for (std::size_t i = 0; i < 12; ++i) {
+    Patch again = e.patches[i];
+    again.target = 1;
+    Placement placement = e.placements[i];
+    placement.patch += 12;
+    e.patches.push_back(again);
+    e.placements.push_back(placement);
+  }
+  e.pieces = pieces_of(e.panels, e.patches, e.placements);
+  const std::vector<MissingPiece> missing = missing_of(e.patches, e.placements);
+  const cv::Size wider(e.size.width + kSide, e.size.height);
+  const Drawing drawing = assembly(e.pieces, missing, {e.size, wider}, kMmPerPx, {});
+  EXPECT_NEAR(drawing.width, 40 + 50, 1e-9);
+  EXPECT_NEAR(drawing.height, 30, 1e-9);
+  ASSERT_EQ(drawing.pages.size(), 2U);
+  EXPECT_NEAR(drawing.pages[0].width, 40, 1e-9);
+  EXPECT_NEAR(drawing.pages[1].left, 40, 1e-9);
+  EXPECT_NEAR(drawing.pages[1].width, 50, 1e-9);
+  const auto& outlines = layer(drawing, "outlines").strokes;
+  ASSERT_EQ(outlines.size(), 22U);
+  EXPECT_EQ(outlines[0].id, "piece-1-A1");
+  EXPECT_EQ(outlines[11].id, "piece-2-A1");
+  EXPECT_NEAR(centroid(outlines[0].lines[0]).x, 35, 1e-9);
+  EXPECT_NEAR(centroid(outlines[11].lines[0]).x, 40 + 45, 1e-9);
+  const auto& gaps = layer(drawing, "missing");
+  EXPECT_GT(gaps.dash, 0);
+  ASSERT_EQ(gaps.strokes.size(), 2U);
+  EXPECT_EQ(gaps.strokes[1].id, "missing-2-D3");
+  EXPECT_NEAR(centroid(gaps.strokes[1].lines[0]).x, 40 + 15, 1e-9);
+  EXPECT_NE(write_svg(drawing).find("stroke-dasharray=\"1.5\""), std::string::npos);
 }
 
 TEST(Lettering, FitsAnyPiece) {

@@ -31,6 +31,15 @@ TEST(PanelOptions, ReadsWhatPeopleWrite) {
   EXPECT_THAT(read_panel_options(""), IsEmpty());
 }
 
+TEST(PanelOptions, MarksMayBeAnyNumber) {
+  EXPECT_FALSE(read_panel_options("oak dpi=300")[0].marks.has_value());
+  EXPECT_THAT(*read_panel_options("oak marks=1:2")[0].marks, SizeIs(1));
+  EXPECT_THAT(complaints("oak marks=none"), IsEmpty());
+  EXPECT_THAT(*read_panel_options("oak marks=none")[0].marks, IsEmpty());
+  EXPECT_THAT(complaints("oak marks=").front(), HasSubstr("places x:y,x:y or none"));
+  EXPECT_THAT(complaints("oak marks=none machine=1:1,2:2,3:3").front(), HasSubstr("as many"));
+}
+
 TEST(PanelOptions, SaysEverythingThatIsWrong) {
   const auto all = complaints("oak dpi=0 margin=-1 colour=red; oak; a.b; fir machine=1:2,3:4 marks=1:1,2:2,3:x");
   ASSERT_THAT(all, SizeIs(7));

@@ -201,6 +201,31 @@ TEST(TakeIn, MarginsAreTakenOffTheWood) {
   EXPECT_EQ(panel.mask(margin - 1, 200), 0);
 }
 
+TEST(TakeIn, MarksThatPeopleSetAreTheOnlyOnes) {
+  const cv::Mat3b scan = marked_scan();
+  Params params;
+  params.panels = "oak dpi=300 marks=200:100,400:300";  // matched at half of that
+  const Panel set = taken({{"oak", view_of(scan)}}, params).panels->front();
+  ASSERT_EQ(set.fiducials.size(), 2U);
+  EXPECT_NEAR(set.fiducials[0].x, 100, 1e-9);
+  EXPECT_NEAR(set.fiducials[1].y, 150, 1e-9);
+  EXPECT_EQ(set.mask(50, 100), 0);
+  params.panels = "oak dpi=300 marks=none";
+  EXPECT_TRUE(taken({{"oak", view_of(scan)}}, params).panels->front().fiducials.empty());
+}
+
+TEST(LookAt, SeesMarksAndWoodBeforeAnythingIsTakenOff) {
+  const cv::Mat3b scan = marked_scan();
+  Params params;
+  params.panels = "oak dpi=150 margin=5";
+  const Panel seen = look_at({{"oak", view_of(scan)}}, params, {})->front();
+  const Panel taken_in = taken({{"oak", view_of(scan)}}, params).panels->front();
+  ASSERT_EQ(seen.fiducials.size(), 4U);
+  EXPECT_EQ(cv::norm(seen.mask, find_wood(scan, kMmPerPx), cv::NORM_INF), 0);
+  EXPECT_EQ(cv::countNonZero(taken_in.mask & ~seen.mask), 0);
+  EXPECT_LT(cv::countNonZero(taken_in.mask), cv::countNonZero(seen.mask));
+}
+
 TEST(TakeIn, LiesOnTheMachineByItsMarks) {
   const cv::Mat3b scan = marked_scan();
   const double width = 640 * kMmPerPx;

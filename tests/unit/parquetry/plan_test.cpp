@@ -17,7 +17,7 @@ TEST(Plan, ClosedForm) {
   params.kerf_mm = 0.2;
   params.clearance_mm = 1;
   params.cut_speed = 10;
-  const Plan plan = plan_of({600, 400}, params);
+  const Plan plan = plan_of({{600, 400}}, params);
   EXPECT_EQ(plan.rows, 12);
   EXPECT_EQ(plan.columns, 18);
   EXPECT_EQ(plan.pieces, 216);
@@ -26,6 +26,17 @@ TEST(Plan, ClosedForm) {
   EXPECT_NEAR(plan.taken_mm2, 216 * 11.2 * 11.2, 100);
   EXPECT_NEAR(plan.cut_mm, 216 * 4 * 10.2, 20);
   EXPECT_NEAR(plan.minutes, plan.cut_mm / 600, 1e-9);
+}
+
+TEST(Plan, OfSeveralTargetsIsTheirSum) {
+  Params params;
+  params.image_size_mm = 120;
+  const Plan first = plan_of({{600, 400}}, params), second = plan_of({{300, 300}}, params);
+  const Plan both = plan_of({{600, 400}, {300, 300}}, params);
+  EXPECT_EQ(both.pieces, first.pieces + second.pieces);
+  EXPECT_NEAR(both.taken_mm2, first.taken_mm2 + second.taken_mm2, 1e-6);
+  EXPECT_NEAR(both.minutes, first.minutes + second.minutes, 1e-9);
+  EXPECT_THAT(describe(both, params), HasSubstr(std::to_string(both.pieces) + " pieces of 2 targets"));
 }
 
 Panel plain_panel(int side, std::uint8_t level) {
@@ -45,7 +56,7 @@ TEST(Forecast, ComparesTonesWithTheWood) {
   cv::Mat3b target(200, 200, cv::Vec3b(250, 250, 250));
   target(cv::Rect(0, 0, 100, 200)).setTo(cv::Vec3b(5, 5, 5));
   const std::vector<Panel> panels = {plain_panel(300, 240), plain_panel(100, 10)};
-  const Forecast forecast = forecast_of(target, panels, params);
+  const Forecast forecast = forecast_of({target}, panels, params);
   EXPECT_NEAR(forecast.free_mm2[0], 150 * 150, 1e-6);
   EXPECT_NEAR(forecast.tones.back().free_mm2, 150 * 150, 1e-6);
   EXPECT_NEAR(forecast.tones.front().free_mm2, 50 * 50, 1e-6);
@@ -54,7 +65,7 @@ TEST(Forecast, ComparesTonesWithTheWood) {
   const std::string text = describe(forecast, panels, params);
   EXPECT_THAT(text, HasSubstr("The wood suffices"));
   EXPECT_THAT(text, HasSubstr("Of dark wood some"));
-  EXPECT_THAT(describe(forecast_of(target, {plain_panel(100, 240)}, params), {panels[1]}, params),
+  EXPECT_THAT(describe(forecast_of({target}, {plain_panel(100, 240)}, params), {panels[1]}, params),
               HasSubstr("does not suffice"));
 }
 

@@ -14,6 +14,8 @@ export interface PanelFile {
   readonly file: string;
   readonly blob: Blob;
   readonly mask: { readonly file: string; readonly blob: Blob } | null;
+  /** That correct the mask, or what was found where there is none; px of the scan. */
+  readonly strokes: readonly Stroke[];
   /** It is the technique's own. */
   readonly sample: boolean;
 }

@@ -6,6 +6,7 @@ import type { Fit, Job, Measured, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
 import type { Pieces } from '../worker/pieces';
 import type {
+  Asking,
   ColourCount,
   EngineInfo,
   FromEngine,
@@ -278,6 +279,12 @@ export class EngineClient {
     const answer = await this.perform({ type: 'measure', id: this.nextId++, run: this.last, of }, { brief: true });
     if (answer?.type === 'measured') return answer.measured;
     return answer?.type === 'problems' ? answer.problems : null;
+  }
+
+  /** What the technique's question is answered with; null where that is not wanted any more, or cannot be told. */
+  async answerTo(question: string, asking: Asking): Promise<string | null> {
+    const answer = await this.perform({ type: 'ask', id: this.nextId++, question, asking }, { brief: true });
+    return answer?.type === 'answer' ? answer.text : null;
   }
 
   /** The model that a picture looks like; null where that is not wanted any more. Rejects as setPicture() does. */

@@ -7,7 +7,7 @@ import { client } from './page';
 import { panels } from './panels';
 import { sampleNamed, useSample } from './pictures';
 import { generate } from './runner';
-import { kLabels, kMask, kPanel } from '../worker/protocol';
+import { kLabels, kMask, kPanel, maskFileOf } from '../worker/protocol';
 import { alerts, alertWith, drawn, entry, fields, inputRole, kSegmenter, labels, picture } from './store';
 import { switchTo } from './tabs';
 
@@ -61,7 +61,10 @@ function apart(inputs: Readonly<Record<string, string>>) {
 }
 
 const haveWood = (file: string) =>
-  panels().some((panel) => panel.file === file || panel.mask?.file === file) ||
+  panels().some(
+    ({ name, mask, strokes, ...panel }) =>
+      panel.file === file || mask?.file === file || (strokes.length > 0 && maskFileOf(name) === file),
+  ) ||
   (drawn.value.panels === null && entry.value.panels?.some((panel) => panel.file === file));
 
 /** Whether the job was made with what is drawn here now. */

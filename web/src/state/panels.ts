@@ -3,11 +3,15 @@
 
 import { signal } from '@preact/signals';
 import { kMask, kPanel, type PanelScale, type WoodPiece } from '../worker/protocol';
-import type { PanelFile } from './drawn';
+import type { Point } from '../stage/view';
+import type { DrawnPicture, PanelFile } from './drawn';
 import { changeDrawn, changePanels, endStep } from './edits';
+import { foundOn, kOwnMask, lookAt, maskOf } from './masks';
 import { client } from './page';
 import { onlyOf, panelName, readPanelOptions, renamed, withOption } from './panel-options';
 import { alertWith, drawn, edits, entry, params } from './store';
+import type { Stroke } from './strokes';
+import { readMarks, writeMarks } from './wood-found';
 
 export const kPanels = 'panels'; // the parameter
 
@@ -50,7 +54,7 @@ export async function fetchPanels(): Promise<void> {
       const response = await fetch(`samples/panels/${file}`).catch(() => null);
       if (!response?.ok)
         throw new Error(`The panel “${name}” could not be loaded. Check the connection, or use your own.`);
-      return { name, file, blob: await response.blob(), mask: null, sample: true };
+      return { name, file, blob: await response.blob(), mask: null, strokes: [], sample: true };
     }),
   );
   if (drawn.value.panels !== null) return;
@@ -61,10 +65,16 @@ export async function fetchPanels(): Promise<void> {
 /** Gives the worker the files of the panels; each once only. */
 export async function sendPanels(): Promise<void> {
   for (const panel of panels()) {
-    await send(kPanel + panel.name, panel.file, panel.blob);
-    if (panel.mask) await send(kMask + panel.name, panel.mask.file, panel.mask.blob);
+    const { name, mask } = panel;
+    await send(kPanel + name, panel.file, panel.blob);
+    if (mask) await send(kOwnMask + name, mask.file, mask.blob);
+    await lookAt(panel, dpiOf(panel));
+    const corrected = await correctedMask(panel);
+    if (corrected) await send(kMask + name, corrected.file, corrected.blob);
   }
 }
+
+const correctedMask = (panel: PanelFile) => maskOf(panel, dpiOf(panel), seenOf(panel)?.width ?? 1);
 
 const sent = new Map<string, Blob>(); // by slot
 
@@ -91,7 +101,7 @@ export async function addPanels(files: readonly File[]): Promise<void> {
     const name = panelName(file.name, taken);
     try {
       await send(kPanel + name, file.name, file);
-      added.push({ name, file: file.name, blob: file, mask: null, sample: false });
+      added.push({ name, file: file.name, blob: file, mask: null, strokes: [], sample: false });
     } catch (error) {
       refused.push(error instanceof Error ? error.message : String(error));
     }
@@ -103,14 +113,33 @@ export async function addPanels(files: readonly File[]): Promise<void> {
 
 export async function setMask(panel: PanelFile, file: File): Promise<void> {
   try {
-    await send(kMask + panel.name, file.name, file);
+    await send(kOwnMask + panel.name, file.name, file);
   } catch (error) {
     return alertWith(error instanceof Error ? error.message : String(error));
   }
-  replace(panel, { ...panel, mask: { file: file.name, blob: file } });
+  replace(panel, { ...panel, mask: { file: file.name, blob: file }, strokes: [] });
 }
 
-export const dropMask = (panel: PanelFile) => replace(panel, { ...panel, mask: null });
+export const dropMask = (panel: PanelFile) => replace(panel, { ...panel, mask: null, strokes: [] });
+
+/** One more stroke over the mask; none: all of them go. */
+export const correctMask = (panel: PanelFile, stroke: Stroke | null) =>
+  replace(panel, { ...panel, strokes: stroke ? [...panel.strokes, stroke] : [] });
+
+export const found = (panel: PanelFile) => foundOn(panel, dpiOf(panel));
+
+/** Those that people have confirmed or set; null: those that are found count. */
+export function ownMarks({ name }: PanelFile): Point[] | null {
+  const text = readPanelOptions(options()).get(name)?.['marks'];
+  return text === undefined ? null : readMarks(text);
+}
+export const marksOf = (panel: PanelFile): readonly Point[] => ownMarks(panel) ?? found(panel)?.marks ?? [];
+
+/** Null: those that are found count again. */
+export function setMarks(panel: PanelFile, marks: readonly Point[] | null): void {
+  changePanels(panels(), withOption(options(), panel.name, 'marks', marks ? writeMarks(marks) : ''));
+  endStep();
+}
 
 /** Sets what is known of it. */
 export const setDpi = (panel: PanelFile, dpi: string) =>
@@ -141,9 +170,15 @@ function replace(panel: PanelFile, by: PanelFile): void {
   endStep();
 }
 
-/** As pictures of a job. */
-export const panelPictures = () =>
-  panels().flatMap(({ name, file, blob, mask }) => [
-    { role: kPanel + name, name: file, blob },
-    ...(mask ? [{ role: kMask + name, name: mask.file, blob: mask.blob }] : []),
-  ]);
+/** As pictures of a job; the engine has them. */
+export async function panelPictures(): Promise<DrawnPicture[]> {
+  const all = panels().map(async (panel) => {
+    const { name, file, blob } = panel;
+    const mask = await correctedMask(panel);
+    return [
+      { role: kPanel + name, name: file, blob },
+      ...(mask ? [{ role: kMask + name, name: mask.file, blob: mask.blob }] : []),
+    ];
+  });
+  return (await Promise.all(all)).flat();
+}

@@ -113,7 +113,7 @@ async function start(quick: boolean): Promise<void> {
   try {
     await fetchPanels();
     await sendPanels();
-    drawnOnes = [...(await takeDrawn(size)), ...panelPictures()];
+    drawnOnes = [...(await takeDrawn(size)), ...(await panelPictures())];
   } catch (error) {
     if (mine !== newest) return;
     run.value = null;

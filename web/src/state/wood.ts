@@ -29,7 +29,7 @@ export const shownPiece = computed(() =>
 export const choosePiece = (index: number) => (choice.value = { of: done.value, index });
 
 /** Of the finished picture's pixels, to one of the target. */
-export const pieceScale = computed(() => (outcome.value?.pieces?.width ?? 1) / (picture.value?.width ?? 1));
+export const pieceScale = computed(() => (outcome.value?.pieces?.height ?? 1) / (picture.value?.height ?? 1));
 
 export function chooseAt({ x, y }: Point): void {
   const { value: made } = outcome;

@@ -16,6 +16,7 @@ import { ChosenPebbles, onPebbleKey, PebbleSheet, PebbleTools } from './PebbleTo
 import { Regions } from './Regions';
 import { Sketch } from './Sketch';
 import { ChosenPiece } from './ChosenPiece';
+import { StageRuler } from './Ruler';
 import { ZoomTools } from './ZoomTools';
 
 /** What lies over the stage while it is drawn on. */
@@ -38,6 +39,7 @@ export function Stage() {
       <StageCanvas />
       {solid && <ChosenPebbles />}
       {panels && <ChosenPiece />}
+      {panels && <StageRuler />}
       {ToolHere ? (
         <ToolHere />
       ) : (

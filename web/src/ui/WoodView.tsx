@@ -1,12 +1,14 @@
 import { signal } from '@preact/signals';
 import { Printer, Zap } from 'lucide-preact';
 import { useEffect, useMemo } from 'preact/hooks';
-import { dpiOf, panels, seenOf } from '../state/panels';
+import { dpiOf, found, marksOf, panels, seenOf } from '../state/panels';
 import type { PanelFile } from '../state/drawn';
 import { outcome, run } from '../state/store';
 import { calm } from '../state/theme';
 import { choosePiece, cutAt, cuts, onWoodKey, pointed, shownPiece } from '../state/wood';
-import { percent } from '../techniques/facts';
+import { counted, percent } from '../techniques/facts';
+import { NoWood, ScanTools, ScanToolSheet, scanTool } from './ScanTools';
+import { Ruler } from './Ruler';
 
 const kInchMm = 25.4;
 const kUnknownDpi = 300;
@@ -32,6 +34,9 @@ export function WoodView() {
         ))}
       </div>
       <WoodLabel />
+      <div class="scan-tools tool-group" role="toolbar" aria-label="Scans">
+        <ScanTools />
+      </div>
       <div class="wood-tools tool-group">
         <CutPreview />
         <Assembly />
@@ -54,7 +59,8 @@ const outline = (ring: readonly number[]) => {
 };
 
 function Sheet({ panel }: { panel: PanelFile }) {
-  const made = run.value ? undefined : outcome.value?.wood?.panels.find(({ name }) => name === panel.name);
+  const made =
+    run.value || scanTool.value ? undefined : outcome.value?.wood?.panels.find(({ name }) => name === panel.name);
   const address = useAddress(made?.picture);
   const { value: all } = cuts;
   const own = useMemo(
@@ -67,6 +73,8 @@ function Sheet({ panel }: { panel: PanelFile }) {
   const width = made?.widthMm ?? (seen.width * kInchMm) / dpi;
   const height = made?.heightMm ?? (seen.height * kInchMm) / dpi;
   const chosen = shownPiece.value < 0 ? undefined : all[shownPiece.value];
+  const marks = marksOf(panel);
+  const scale = width / seen.width; // mm to a pixel of the scan
   const used = run.value ? undefined : outcome.value?.result.metrics[`wood_used_${panel.name}`];
   const pieceUnder = (event: PointerEvent & { currentTarget: SVGSVGElement }) => {
     const matrix = event.currentTarget.getScreenCTM();
@@ -77,7 +85,7 @@ function Sheet({ panel }: { panel: PanelFile }) {
     <figure class="wood-sheet" data-panel={panel.name} data-cuts={own.length}>
       <svg
         viewBox={`0 0 ${width} ${height}`}
-        aria-hidden="true"
+        aria-hidden={!scanTool.value}
         onPointerMove={(event) => event.pointerType === 'mouse' && (pointed.value = pieceUnder(event))}
         onPointerLeave={() => (pointed.value = -1)}
         onClick={(event) =>
@@ -85,12 +93,19 @@ function Sheet({ panel }: { panel: PanelFile }) {
         }
       >
         <image href={address ?? seen.address} width={width} height={height} preserveAspectRatio="none" />
-        {!made && <path class="wood-cuts" d={own.join('')} />}
+        {!made && <NoWood panel={panel} scan={seen} scale={scale} />}
+        {!made && !scanTool.value && <path class="wood-cuts" d={own.join('')} />}
+        {marks.map(({ x, y }) => (
+          <circle class="wood-mark" cx={x * scale} cy={y * scale} r={((found(panel)?.markPx ?? 0) * scale) / 2} />
+        ))}
+        <Ruler width={width} height={height} letter={width / 38} />
         {made && cutting.value && !calm.value && <Laser order={made.order} radius={width / 130} />}
         {chosen?.panel === panel.name && <path class="wood-chosen" d={outline(chosen.onPanel)} />}
+        {scanTool.value && <ScanToolSheet panel={panel} scan={seen} scale={scale} />}
       </svg>
       <figcaption>
         <strong>{panel.name}</strong> {length.format(width)} × {length.format(height)} mm
+        {marks.length > 0 && `, ${counted(marks.length, 'marks')}`}
         {used !== undefined && `, ${percent.format(used)} used`}
         {run.value && own.length > 0 && `, ${own.length} cut`}
       </figcaption>

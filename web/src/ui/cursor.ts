@@ -1,7 +1,7 @@
 // A place on the picture that the arrow keys move, for those who draw without a pointer.
 
 import { picture } from '../state/store';
-import { toPicture, type Point } from '../stage/view';
+import { toPicture, type Point, type Size } from '../stage/view';
 import { stageSize, view } from '../stage/viewport';
 
 const kStep = 10; // CSS px
@@ -20,11 +20,21 @@ export const startCursor = (): Point =>
 
 /** Where the key moves the cursor, within the picture; null for any other key. */
 export function moveCursor(cursor: Point | null, key: string, far: boolean): Point | null {
+  const { width = 0, height = 0 } = picture.value ?? {};
+  return moved(cursor ?? startCursor(), key, far, view.value.scale, { width, height });
+}
+
+/** The same on any sheet, of which a pixel is so many CSS pixels wide. */
+export function moved(
+  { x, y }: Point,
+  key: string,
+  far: boolean,
+  scale: number,
+  { width, height }: Size,
+): Point | null {
   const direction = kDirections[key];
   if (!direction) return null;
-  const { x, y } = cursor ?? startCursor();
-  const step = (far ? kFarStep : kStep) / view.value.scale;
-  const { width = 0, height = 0 } = picture.value ?? {};
+  const step = (far ? kFarStep : kStep) / scale;
   const within = (value: number, most: number) => Math.min(most, Math.max(0, value));
   return { x: within(x + step * direction[0], width), y: within(y + step * direction[1], height) };
 }

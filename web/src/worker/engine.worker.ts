@@ -16,8 +16,11 @@ import { Growing, matchingDpi } from './growing';
 import { countColours, noPieces, parsePieces, transferable, type Pieces } from './pieces';
 import {
   kLabels,
+  kMask,
   kPanel,
   kPicture,
+  maskFileOf,
+  type Asking,
   type EngineToPainter,
   type FromEngine,
   type Graphics,
@@ -26,7 +29,7 @@ import {
   type Wood,
 } from './protocol';
 import { scope } from './scope';
-import { blobOf as blobOfArtifact, fileOf, reportOf, woodOf, zipped } from './wood';
+import { checksum, previewOf, reportOf, woodOf, zipped } from './wood';
 
 const kPreviewPixels = 600_000;
 const kPreviewSites = 16_000;
@@ -47,6 +50,7 @@ const pictures = new Map<string, Held>(); // by slot
 let roles: readonly string[] = []; // that the engine has pictures of
 
 interface Held {
+  blob: Blob;
   opened: Opened;
   whole?: Picture;
   reduced?: { scale: number; picture: Picture };
@@ -95,7 +99,7 @@ const kindIn = (slot: string) => (slot === kLabels ? 'numbers' : slot.startsWith
 async function takePicture({ id, slot, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
   try {
     const opened = await open(blob, name, kindIn(slot));
-    pictures.set(slot, { opened });
+    pictures.set(slot, { blob, opened });
     const { bitmap, width, height, dpi } = opened;
     const panel = slot.startsWith(kPanel) ? { dpi, small: await smallOf(bitmap, width, height) } : null;
     if (slot === kPicture) show({ type: 'source', bitmap, width, height }, [bitmap]);
@@ -117,7 +121,7 @@ async function smallOf(bitmap: ImageBitmap, width: number, height: number): Prom
 }
 
 /** The engine's copy of each picture of the job, whole or reduced as this run wants it; none of any other. */
-async function setInputs(tessera: Tessera, { inputs, scale }: RunRequest): Promise<void> {
+async function setInputs(tessera: Tessera, { inputs }: Asking, scale: number): Promise<void> {
   for (const role of roles) if (!(role in inputs)) tessera.setInput(role, null);
   roles = Object.keys(inputs);
   for (const [role, slot] of Object.entries(inputs)) {
@@ -137,13 +141,24 @@ async function setInputs(tessera: Tessera, { inputs, scale }: RunRequest): Promi
 /** An ImageData's own members are not its own properties. */
 const pixelsIn = ({ data, width, height }: Picture): Picture => ({ data, width, height });
 
+async function ask({ id, question, asking }: ToEngine & { type: 'ask' }): Promise<void> {
+  await pictureTaken;
+  try {
+    if (!engine) return;
+    await setInputs(engine, asking, 1);
+    tell({ type: 'answer', id, text: engine.ask(question, asking.job) });
+  } catch (error) {
+    tell({ type: 'problems', id, problems: [...problemsOf(error)] });
+  }
+}
+
 async function run(id: number, request: RunRequest): Promise<void> {
   newest = id;
   await pictureTaken;
   if (!engine || newest !== id) return;
   try {
     if (request.backend === 'gl') lookForGraphics(engine, true);
-    await setInputs(engine, request);
+    await setInputs(engine, request, request.scale);
     if (newest !== id) return;
     forecast(engine, id, request);
     const clock = stageClock();
@@ -164,8 +179,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
     const png = noise || result.retouched ? blobOf(engine, 'png') : null;
     const pieces = noise ? sheetOf(request.job) : parsePieces(engine.artifact('json').bytes);
     const folder = request.panels && (await openFolder(engine, request, pieces));
-    const seen = folder?.preview ?? png;
-    const face = seen && (await createImageBitmap(seen));
+    const face = folder?.preview ?? (png && (await createImageBitmap(png)));
     const ground = noise ? kNoGround : groundOf(engine);
     tell({
       type: 'done',
@@ -184,8 +198,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
     );
     const formats = noise ? ['png'] : request.formats;
     const made = new Map(png ? [['png', png]] : []);
-    if (folder)
-      made.set('folder', zipped({ files: folder.files, report: reportOfRun(engine, request, result, clock.end()) }));
+    if (folder) made.set('folder', await zipOfRun(engine, request, result, clock.end(), folder.files));
     if (request.scale === 1) await makeFiles(engine, id, formats, made);
     if (newest === id && request.backend === 'auto') lookForGraphics(engine, false); // for the runs to come
   } catch (error) {
@@ -234,7 +247,8 @@ function grower(id: number, { job, panels }: RunRequest): { onState?(state: () =
       const held = pictures.get(kPanel + name);
       return held?.whole ? { name, dpi: dpi || held.opened.dpi, picture: held.whole } : [];
     });
-  const growing = new Growing(scans, target, Number(job.params['imageSizeMm']), Number(job.params['resolutionDpi']));
+  const number = (key: string) => Number(job.params[key]);
+  const growing = new Growing(scans, target, number('imageSizeMm'), number('resolutionDpi'), number('copies'));
   let shown = -Infinity;
   return {
     onState: (state) => {
@@ -250,7 +264,7 @@ function grower(id: number, { job, panels }: RunRequest): { onState?(state: () =
 
 interface Folder {
   files: readonly Artifact[];
-  preview: Blob | null;
+  preview: ImageBitmap | null;
   wood: Wood;
   /** Of its pixels, to one of the target. */
   scale: number;
@@ -258,30 +272,37 @@ interface Folder {
 
 async function openFolder(tessera: Tessera, { job, panels }: RunRequest, pieces: Pieces): Promise<Folder> {
   const files = tessera.artifacts('folder');
-  const preview = fileOf(files, 'preview.png');
+  const preview = await previewOf(files);
   const mmPerPx = 25.4 / matchingDpi(dpisOf(panels ?? []), Number(job.params['resolutionDpi']));
   const names = (panels ?? []).map(({ name }) => name);
   return {
     files,
-    preview: preview ? blobOfArtifact(preview) : null,
+    preview,
     wood: await woodOf(files, pieces, mmPerPx, names),
-    scale: pieces.width / (pictures.get(kPicture)?.opened.width ?? pieces.width),
+    scale: pieces.height / (pictures.get(kPicture)?.opened.height ?? pieces.height),
   };
 }
 
-function reportOfRun(
+async function zipOfRun(
   tessera: Tessera,
   { job, inputs }: RunRequest,
   result: RunResult,
   stages: ReturnType<ReturnType<typeof stageClock>['end']>,
-) {
-  const sizes = new Map(
-    Object.entries(inputs).flatMap(([role, slot]) => {
-      const opened = pictures.get(slot)?.opened;
-      return opened ? [[role, { width: opened.width, height: opened.height }] as const] : [];
+  files: readonly Artifact[],
+): Promise<Blob> {
+  const masks: Record<string, Uint8Array> = {};
+  const read = await Promise.all(
+    Object.entries(inputs).map(async ([role, slot]) => {
+      const held = pictures.get(slot);
+      const { width = 0, height = 0 } = held?.opened ?? {};
+      const bytes = await held?.blob.arrayBuffer();
+      const name = maskFileOf(role.slice(kMask.length));
+      if (bytes && role.startsWith(kMask) && job.inputs[role] === name) masks[name] = new Uint8Array(bytes);
+      return { path: job.inputs[role] ?? '', width, height, ...(bytes && (await checksum(bytes))) };
     }),
   );
-  return reportOf(tessera.version, tessera.threads, job, sizes, result, stages);
+  const report = await reportOf(tessera.version, tessera.threads, job, read, result, stages, files);
+  return zipped({ files, report, masks });
 }
 
 /** Pieces so many and so small that their picture is all there is to see. */
@@ -383,6 +404,8 @@ scope.onmessage = ({ data }: MessageEvent<ToEngine>) => {
       return;
     case 'run':
       return void run(data.id, data.request);
+    case 'ask':
+      return void ask(data);
     case 'file':
       return makeFile(data);
     case 'read':

@@ -10,6 +10,8 @@ const kMaxSide = 1400; // px of the growing picture
 const kNumbers = 18;
 
 export interface Laid {
+  /** Which target, or copy of it, counted from 0. */
+  target: number;
   row: number;
   column: number;
   level: number;
@@ -36,6 +38,7 @@ export function readLaid(state: string, begin: number): Laid[] {
     .map((line) => line.split(' ').map(Number))
     .filter((n) => n.length === kNumbers)
     .map((n) => ({
+      target: n[0]!,
       row: n[1]!,
       column: n[2]!,
       level: n[3]!,
@@ -91,6 +94,7 @@ export class Growing {
   private readonly panels: { name: string; scan: OffscreenCanvas; perScan: number }[];
   private readonly dpi: number;
   private readonly scale: number;
+  private readonly width: number; // of a target, px
   private seen = 0;
 
   /** `panels` in the order of their names; `target`: its size, `sizeMm` its shorter side. */
@@ -99,12 +103,17 @@ export class Growing {
     target: { width: number; height: number },
     sizeMm: number,
     dpi: number,
+    private readonly copies = 1,
   ) {
     this.dpi = matchingDpi(panels, dpi);
     const perPx = ((sizeMm / kInchMm) * this.dpi) / Math.min(target.width, target.height);
     const [width, height] = [target.width * perPx, target.height * perPx];
-    this.scale = Math.min(1, kMaxSide / Math.max(width, height));
-    this.canvas = new OffscreenCanvas(Math.round(width * this.scale), Math.round(height * this.scale));
+    this.width = Math.round(width);
+    this.scale = Math.min(1, kMaxSide / Math.max(copies * width, height));
+    this.canvas = new OffscreenCanvas(
+      Math.max(1, Math.round(copies * this.width * this.scale)),
+      Math.max(1, Math.round(height * this.scale)),
+    );
     this.panels = panels.map(({ name, dpi: own, picture }) => ({
       name,
       scan: canvasOf(picture),
@@ -123,7 +132,7 @@ export class Growing {
       if (!panel || !context) return [];
       this.draw(context, panel, one);
       return {
-        id: nameOf(one.row, one.column),
+        id: (this.copies > 1 ? `${one.target + 1}-` : '') + nameOf(one.row, one.column),
         row: one.row + 1,
         column: one.column + 1,
         panel: panel.name,
@@ -137,11 +146,12 @@ export class Growing {
   private draw(
     context: OffscreenCanvasRenderingContext2D,
     { scan, perScan }: { scan: OffscreenCanvas; perScan: number },
-    { x, y, width, height, from, to, turn }: Laid,
+    { target, x, y, width, height, from, to, turn }: Laid,
   ): void {
     const reach = Math.hypot(width, height) / 2 + 1;
     context.save();
     context.scale(this.scale, this.scale);
+    context.translate(target * this.width, 0); // side by side
     context.beginPath();
     context.rect(x, y, width, height);
     context.clip();

@@ -33,6 +33,9 @@ export const kLabels = 'segmentation';
 export const kPanel = 'panel-';
 export const kMask = 'mask-';
 
+/** The file of a mask that was corrected on the page. */
+export const maskFileOf = (panel: string): string => `${panel}-mask.png`;
+
 /** A panel as the page knows it before it is asked of the engine. */
 export interface PanelScale {
   /** "oak". */
@@ -72,6 +75,13 @@ export interface Wood {
   assembly: Blob;
 }
 
+/** What is asked of the engine about a job and its pictures. */
+export interface Asking {
+  job: Job;
+  /** As a run's. */
+  inputs: Readonly<Record<string, string>>;
+}
+
 export interface RunRequest {
   job: Job;
   /** The slot of each picture that the job has, by its role. */
@@ -96,6 +106,7 @@ export type ToEngine =
   | { type: 'boot'; base: string; threads: number; wasm: WebAssembly.Module | undefined; graphics: Graphics | null }
   | { type: 'picture'; id: number; slot: string; name: string; blob: Blob }
   | { type: 'run'; id: number; request: RunRequest }
+  | { type: 'ask'; id: number; question: string; asking: Asking }
   /** One more file of a run that is done. */
   | { type: 'file'; id: number; run: number; format: string }
   | { type: 'read'; id: number; text: string }
@@ -113,6 +124,7 @@ export type FromEngine =
   | { type: 'forecast'; id: number; text: string }
   /** Pieces of wood that have been laid since the last time. */
   | { type: 'laid'; id: number; pieces: WoodPiece[] }
+  | { type: 'answer'; id: number; text: string }
   | { type: 'refused'; id: number; message: string }
   | { type: 'stage'; id: number; stage: string }
   | { type: 'progress'; id: number; fraction: number }

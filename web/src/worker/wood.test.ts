@@ -63,10 +63,14 @@ test('cuts in their order; a table without rows', () => {
 
 test('the folder is packed as it is, the same bytes each time', async () => {
   const bytes = new TextEncoder().encode('id\nA1\n');
-  const made = { files: [{ name: 'folder/pieces.csv', mediaType: 'text/csv', bytes }], report: { seed: 1 } };
+  const made = {
+    files: [{ name: 'folder/pieces.csv', mediaType: 'text/csv', bytes }],
+    report: { seed: 1 },
+    masks: { 'oak-mask.png': bytes },
+  };
   const zip = new Uint8Array(await zipped(made).arrayBuffer());
   const inside = unzipSync(zip);
-  expect(Object.keys(inside)).toEqual(['pieces.csv', 'report.json']);
+  expect(Object.keys(inside)).toEqual(['oak-mask.png', 'pieces.csv', 'report.json']);
   expect(inside['pieces.csv']).toEqual(bytes);
   expect(new Uint8Array(await zipped(made).arrayBuffer())).toEqual(zip);
 });

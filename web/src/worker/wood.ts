@@ -11,6 +11,8 @@ const kFirstDay = new Date(1980, 0, 1); // ZIP's; the same job makes the same by
 export interface Made {
   files: readonly Artifact[];
   report: object;
+  /** By their files' names. */
+  masks: Readonly<Record<string, Uint8Array>>;
 }
 
 export const fileOf = (files: readonly Artifact[], name: string): Artifact | undefined =>
@@ -19,9 +21,10 @@ export const fileOf = (files: readonly Artifact[], name: string): Artifact | und
 export const blobOf = ({ bytes, mediaType }: Artifact): Blob =>
   new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mediaType });
 
-/** All of it, with what the page knows of the run as report.json. */
-export function zipped({ files, report }: Made): Blob {
+/** All of it, with what the page knows of the run as report.json, and masks that were drawn here. */
+export function zipped({ files, report, masks }: Made): Blob {
   const inside: Zippable = {};
+  for (const [name, bytes] of Object.entries(masks)) inside[name] = [bytes, { level: 0, mtime: kFirstDay }];
   // Pictures are packed already.
   for (const { name, bytes } of files)
     inside[name.slice(kFolder.length)] = [bytes, { level: name.endsWith('.png') ? 0 : 6, mtime: kFirstDay }];
@@ -30,27 +33,60 @@ export function zipped({ files, report }: Made): Blob {
   return new Blob([zipSync(inside) as Uint8Array<ArrayBuffer>], { type: 'application/zip' });
 }
 
-export function reportOf(
+/** As the command line's reports have it; nothing where a page is not to be trusted with that. */
+export async function checksum(bytes: BufferSource): Promise<{ sha256?: string }> {
+  if (!globalThis.crypto?.subtle) return {};
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+  return { sha256: Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('') };
+}
+
+export async function reportOf(
   version: string,
   threads: number,
-  { technique, seed, params, inputs }: Job,
-  sizes: ReadonlyMap<string, { width: number; height: number }>,
+  { technique, seed, params }: Job,
+  inputs: readonly { path: string; width: number; height: number; sha256?: string }[],
   { backend, counts, metrics }: RunResult,
   stages: readonly { name: string; ms: number }[],
-): object {
+  files: readonly Artifact[],
+): Promise<object> {
+  const outputs = files.map(async ({ name, bytes }) => ({
+    path: name.slice(kFolder.length),
+    bytes: bytes.length,
+    ...(await checksum(bytes as Uint8Array<ArrayBuffer>)),
+  }));
   return {
     tessera: version,
     technique,
     seed,
     backend,
     threads,
-    inputs: Object.entries(inputs).map(([role, path]) => ({ path, ...sizes.get(role) })),
+    inputs,
     params,
     stages,
     total_ms: stages.reduce((sum, { ms }) => sum + ms, 0),
     counts,
     metrics,
+    outputs: await Promise.all(outputs),
   };
+}
+
+/** All finished pieces side by side, as the engine's sheet has them; null where there is none. */
+export async function previewOf(files: readonly Artifact[]): Promise<ImageBitmap | null> {
+  const pictures = await Promise.all(
+    files
+      .filter(({ name }) => /^folder\/preview(-\d+)?\.png$/.test(name))
+      .map((file) => createImageBitmap(blobOf(file))),
+  );
+  if (pictures.length < 2) return pictures[0] ?? null;
+  const width = pictures.reduce((sum, picture) => sum + picture.width, 0);
+  const canvas = new OffscreenCanvas(width, Math.max(...pictures.map(({ height }) => height)));
+  let x = 0;
+  for (const picture of pictures) {
+    canvas.getContext('2d')?.drawImage(picture, x, 0);
+    x += picture.width;
+    picture.close();
+  }
+  return canvas.transferToImageBitmap();
 }
 
 /** The names in a cut file, whose paths are in the order they are cut. */

@@ -1,0 +1,140 @@
+// What a parquetry's run leaves for the next one, and what it tells of its panels.
+#include "tessera/job/parquet_job.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "tessera/base/rng.h"
+#include "tessera/job/parameters.h"
+#include "tessera/job/techniques.h"
+#include "tessera/voronoi/cpu_rasterizer.h"
+
+namespace tessera {
+namespace {
+
+using ::testing::HasSubstr;
+
+cv::Mat3b noise(cv::Size size, int seed) {
+  Rng rng(static_cast<std::uint64_t>(seed), RngPurpose::kNoise);
+  cv::Mat3b picture(size);
+  for (cv::Vec3b& pixel : picture) pixel = cv::Vec3b::all(static_cast<std::uint8_t>(rng.uniform(0, 255)));
+  return picture;
+}
+
+ImageView view_of(const cv::Mat3b& picture) {
+  return {picture.ptr(), picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
+}
+
+class ParquetJobTest : public ::testing::Test {
+ protected:
+  ParquetJobTest() {
+    params.image_size_mm = 40;
+    params.patch_mm = 10;
+    params.rotations = 3;
+    params.panels = "oak dpi=25.4";  // a millimetre a pixel
+  }
+
+  tl::expected<Outcome, Problems> run(std::string_view earlier = {}, bool if_fits = true) {
+    stages.clear();
+    RunContext context;
+    context.on_stage = [this](std::string_view name) { stages.emplace_back(name); };
+    context.earlier = earlier;
+    context.earlier_if_fits = if_fits;
+    return compute_job({1, params, {}}, pictures(), *make_cpu_rasterizer(), context);
+  }
+
+  Pictures pictures() const { return {{"target", view_of(target)}, {"panel-oak", view_of(panel)}}; }
+
+  bool matched() const { return std::count(stages.begin(), stages.end(), "matching") != 0; }
+
+  // Every file but the job, by content.
+  static std::vector<std::string> files_of(const Outcome& outcome) {
+    std::vector<std::string> bytes;
+    for (const Artifact& file : outcome.folder()) bytes.push_back(file.name + '\n' + file.bytes);
+    return bytes;
+  }
+
+  parquetry::Params params;
+  cv::Mat3b target = noise({40, 40}, 1), panel = noise({100, 80}, 2);
+  std::vector<std::string> stages;
+};
+
+TEST_F(ParquetJobTest, WhatComesAfterMatchingTakesNoMatching) {
+  const auto first = run();
+  ASSERT_TRUE(first.has_value());
+  EXPECT_TRUE(matched());
+  ASSERT_FALSE(first->state.empty());
+  const std::string state = first->state;
+  for (int change = 0; change < 4; ++change) {
+    SCOPED_TRACE(change);
+    const parquetry::Params before = params;
+    if (change == 1) params.side = parquetry::Side::kFront;
+    if (change == 2) params.cut_speed = 7;
+    if (change == 3) params.registration = parquetry::Registration::kAffine;
+    const auto again = run(state, false);
+    ASSERT_TRUE(again.has_value());
+    EXPECT_FALSE(matched());
+    EXPECT_EQ(again->state, state);
+    const auto fresh = run();
+    EXPECT_TRUE(matched());
+    EXPECT_EQ(files_of(*again), files_of(*fresh));
+    EXPECT_EQ(again->counts, fresh->counts);
+    EXPECT_EQ(again->metrics, fresh->metrics);
+    params = before;
+  }
+}
+
+TEST_F(ParquetJobTest, WhatMatchingDependsOnIsMatchedAnew) {
+  const std::string state = run()->state;
+  for (int change = 0; change < 6; ++change) {
+    SCOPED_TRACE(change);
+    const parquetry::Params before = params;
+    const cv::Mat3b wood = panel.clone();
+    if (change == 0) params.patch_mm = 8;
+    if (change == 1) params.kerf_mm = 0.5;
+    if (change == 2) params.panels = "oak dpi=25.4 margin=5";
+    if (change == 3) params.panels = "oak dpi=26";
+    if (change == 4) params.copies = 2;
+    if (change == 5) panel(3, 4)[1] ^= 1;
+    const auto again = run(state);
+    ASSERT_TRUE(again.has_value());
+    EXPECT_TRUE(matched());
+    EXPECT_EQ(files_of(*again), files_of(*run()));
+    const auto refused = run(state, false);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_THAT(refused.error().front().message, HasSubstr("another job"));
+    params = before;
+    panel = wood;
+  }
+}
+
+TEST_F(ParquetJobTest, TellsOfItsPanels) {
+  const auto& questions = find_technique("parquetry")->questions;
+  const auto masks =
+      std::find_if(questions.begin(), questions.end(), [](const Question& q) { return q.name == "masks"; });
+  ASSERT_NE(masks, questions.end());
+  cv::Mat3b half(80, 100, cv::Vec3b(0, 0, 0));
+  half.colRange(30, 100).setTo(cv::Scalar(255, 255, 255));
+  params.panels = "oak dpi=25.4 margin=9 marks=20:30,50:60.5";
+  Pictures given = {{"panel-oak", view_of(panel)}, {"mask-oak", view_of(half)}};
+  const auto answer = masks->answer({1, params, {}}, given, {});
+  ASSERT_TRUE(answer.has_value());
+  const Json told = Json::parse(*answer);
+  EXPECT_EQ(told["panel"], "oak");
+  EXPECT_EQ(told["width"], 100);
+  EXPECT_EQ(told["height"], 80);
+  EXPECT_EQ(told["marks"], Json::parse("[[20.0, 30.0], [50.0, 60.5]]"));
+  const auto runs = told["wood"].get<std::vector<int>>();
+  ASSERT_EQ(runs.size(), 160U);  // 30 without and 70 with, in each row
+  for (std::size_t i = 0; i < runs.size(); ++i) EXPECT_EQ(runs[i], i % 2 == 0 ? 30 : 70);
+  given.clear();
+  EXPECT_EQ(masks->answer({1, params, {}}, given, {}).error().field, "panel");
+}
+
+}  // namespace
+}  // namespace tessera
