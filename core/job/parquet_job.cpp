@@ -12,6 +12,7 @@
 #include "tessera/job/parquet_folder.h"
 #include "tessera/parquetry/cut_sheets.h"
 #include "tessera/parquetry/features.h"
+#include "tessera/parquetry/free_patches.h"
 #include "tessera/parquetry/panels.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/plan.h"
@@ -39,8 +40,8 @@ std::vector<parquetry::Scan> scans_of(const Pictures& pictures) {
   return scans;
 }
 
-// Masks and options of panels that are not there.
-Result<void> check_names(const Job& job, const Pictures& pictures) {
+// Inputs that do not go together: masks and options of panels that are not there, and two ways to make patches.
+Result<void> check_inputs(const Job& job, const Pictures& pictures) {
   const Technique& technique = *find_technique("parquetry");
   const auto is_panel = [&](const std::string& name) { return pictures.count("panel-" + name) != 0; };
   for (const auto& [input, picture] : pictures) {
@@ -52,12 +53,14 @@ Result<void> check_names(const Job& job, const Pictures& pictures) {
     if (!is_panel(options.name))
       return fail(StatusCode::kInvalidParameter, "panels",
                   fmt::format("tells of {}, but there is no panel of that name", options.name));
+  if (std::get<Params>(job.params).posterize > 0 && pictures.count("segmentation") != 0)
+    return fail(StatusCode::kInvalidParameter, "posterize", "is set beside a segmentation, expected one of the two");
   return {};
 }
 
 Rgb mean_colour(const Panel& panel, const CutPiece& piece) {
   std::int64_t sum[3] = {0, 0, 0}, count = 0;
-  each_run(piece.on_panel.outer, panel.scan.cols, panel.scan.rows, [&](int y, int begin, int end) {
+  each_run(piece.on_panel, panel.scan.cols, panel.scan.rows, [&](int y, int begin, int end) {
     for (int x = begin; x < end; ++x)
       for (int c = 0; c < 3; ++c) sum[c] += panel.scan(y, x)[c];
     count += end - begin;
@@ -131,6 +134,10 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   job.inputs.clear();  // what is in them counts
   std::uint64_t fingerprint = parquetry::fingerprint_of(job_to_text(job));
   for (const cv::Mat3b& target : request.targets) fingerprint = parquetry::fingerprint_of(target, fingerprint);
+  for (const parquetry::Patch& patch : request.patches) {
+    fingerprint = parquetry::fingerprint_of(fmt::format("{} {}", patch.box.x, patch.box.y), fingerprint);
+    fingerprint = parquetry::fingerprint_of(patch.mask, fingerprint);
+  }
   for (const Panel& panel : panels) {
     fingerprint = parquetry::fingerprint_of(panel.name, fingerprint);
     fingerprint = parquetry::fingerprint_of(panel.scan, fingerprint);
@@ -200,7 +207,7 @@ void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, cons
 Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Rasterizer& /*rasterizer*/,
                                 const RunContext& context, const IterationObserver& /*observer*/) {
   const auto& params = std::get<Params>(job.params);
-  if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
+  if (auto named = check_inputs(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
   context.stage("panels");
   auto panels = parquetry::take_in(scans_of(pictures), params, context);
   if (!panels) return tl::unexpected<Status>(std::move(panels.error()));
@@ -210,7 +217,11 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
     return tl::unexpected<Status>(std::move(good.error()));
   parquetry::Request request;
   request.targets = {parquetry::at_resolution(picture.mat(), params, mm_per_px)};
-  request.patches = parquetry::grid_patches(request.targets.front().size(), params, mm_per_px);
+  context.stage("patches");
+  auto patches =
+      parquetry::patches_of(request.targets.front(), picture_of(pictures, "segmentation"), params, mm_per_px);
+  if (!patches) return tl::unexpected<Status>(std::move(patches.error()));
+  request.patches = *std::move(patches);
   int tries = 0;
   auto output = match(job, *panels, request, context, tries);
   if (!output) return tl::unexpected<Status>(std::move(output.error()));
@@ -220,7 +231,7 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   outcome.done = job;
   std::get<Params>(outcome.done->params).improve_tries = tries;
   auto made = std::make_shared<Parquetry>();
-  made->pieces = parquetry::pieces_of(*panels, output->patches, output->placements);
+  made->pieces = parquetry::pieces_of(*panels, output->patches, output->placements, params);
   made->params = params;
   made->panels = *std::move(panels);
   made->size = request.targets.front().size();
@@ -246,21 +257,32 @@ std::vector<Question> parquet_questions() {
     const ImageView target = picture_of(pictures, "target");
     if (auto good = check_size(target, params, parquetry::plan_mm_per_px(params)); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    return describe(parquetry::plan_of({target.width, target.height}, params), params);
+    const ImageView segmentation = picture_of(pictures, "segmentation");
+    if (params.posterize == 0 && !segmentation.pixels)
+      return describe(parquetry::plan_of({target.width, target.height}, params), params);
+    const double mm_per_px = parquetry::plan_mm_per_px(params);
+    const cv::Mat3b sized = parquetry::at_resolution(target.mat(), params, mm_per_px);
+    const auto patches = parquetry::patches_of(sized, segmentation, params, mm_per_px);
+    if (!patches) return tl::unexpected<Status>(patches.error());
+    return describe(parquetry::plan_of(*patches, sized.size(), params, mm_per_px), params);
   };
   const auto forecast = [](const Job& job, const Pictures& pictures,
                            const RunContext& context) -> Result<std::string> {
     const auto& params = std::get<Params>(job.params);
     if (scans_of(pictures).empty()) return fail(StatusCode::kInvalidInput, "panel", "is missing, expected a picture");
-    if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
+    if (auto named = check_inputs(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
     const auto panels = parquetry::take_in(scans_of(pictures), params, context);
     if (!panels) return tl::unexpected<Status>(panels.error());
     if (auto good = check_size(pictures.at("target"), params, panels->front().mm_per_px); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    return describe(parquetry::forecast_of(pictures.at("target").mat(), *panels, params), *panels, params);
+    const double mm_per_px = panels->front().mm_per_px;
+    const cv::Mat3b sized = parquetry::at_resolution(pictures.at("target").mat(), params, mm_per_px);
+    const auto patches = parquetry::patches_of(sized, picture_of(pictures, "segmentation"), params, mm_per_px);
+    if (!patches) return tl::unexpected<Status>(patches.error());
+    return describe(parquetry::forecast_of(sized, *patches, *panels, params), *panels, params);
   };
-  return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target"}, plan},
-          {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "panel", "mask"}, forecast}};
+  return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target", "segmentation"}, plan},
+          {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "segmentation", "panel", "mask"}, forecast}};
 }
 
 }  // namespace tessera

@@ -19,22 +19,18 @@ constexpr double kPacked = 0.8;  // of the free wood, what turned pieces can be 
 
 int tone_of(int level) { return level * kTones / 256; }
 
-Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px) {
-  Plan plan;
-  plan.pieces = static_cast<int>(patches.size());
-  plan.width_mm = size.width * mm_per_px;
-  plan.height_mm = size.height * mm_per_px;
-  const double around = params.kerf_mm + params.clearance_mm;
-  for (const Patch& patch : patches) {
-    plan.rows = std::max(plan.rows, patch.row + 1);
-    plan.columns = std::max(plan.columns, patch.column + 1);
-    const double width = patch.box.width * mm_per_px, height = patch.box.height * mm_per_px;
-    plan.wood_mm2 += width * height;
-    plan.taken_mm2 += (width + around) * (height + around);
-    plan.cut_mm += 2 * (width + height + 2 * params.kerf_mm);
-  }
-  plan.minutes = plan.cut_mm / params.cut_speed / 60;
-  return plan;
+double around(const Patch& patch) {
+  double length = perimeter(patch.outline.outer);
+  for (const Ring& hole : patch.outline.holes) length += perimeter(hole);
+  return length;
+}
+
+// With kerf and clearance; what is in a hole is not to be had any more.
+double taken_mm2(const Patch& patch, const Params& params, double mm_per_px) {
+  const double margin = params.kerf_mm + params.clearance_mm;
+  const Ring& outer = patch.outline.outer;
+  return mm_per_px * mm_per_px * std::abs(signed_area(outer)) + mm_per_px * perimeter(outer) / 2 * margin +
+         margin * margin;
 }
 
 // Means over the area of a patch.
@@ -43,6 +39,14 @@ cv::Mat1b averaged(const cv::Mat1b& levels, const Params& params, double mm_per_
   cv::Mat1b means;
   cv::boxFilter(levels, means, CV_8U, {side, side}, {-1, -1}, true, cv::BORDER_REPLICATE);
   return means;
+}
+
+std::int64_t mean_level(const cv::Mat1b& levels, const cv::Mat1b& mask, const Tones& tones) {
+  std::int64_t sum = 0, count = 0;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (mask(y, x) != 0) sum += tones[levels(y, x)], ++count;
+  return sum / std::max<std::int64_t>(1, count);
 }
 
 // How many times the wood is needed, at most 1 where it suffices.
@@ -56,6 +60,22 @@ double plan_mm_per_px(const Params& params) {
 
 const char* tone_name(int level) { return kToneNames[tone_of(level)]; }
 
+Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px) {
+  Plan plan;
+  plan.pieces = static_cast<int>(patches.size());
+  plan.width_mm = size.width * mm_per_px;
+  plan.height_mm = size.height * mm_per_px;
+  for (const Patch& patch : patches) {
+    plan.rows = std::max(plan.rows, patch.row + 1);
+    plan.columns = std::max(plan.columns, patch.column + 1);
+    plan.wood_mm2 += mm_per_px * mm_per_px * area(patch.outline);
+    plan.taken_mm2 += taken_mm2(patch, params, mm_per_px);
+    plan.cut_mm += mm_per_px * around(patch) + 4 * params.kerf_mm;
+  }
+  plan.minutes = plan.cut_mm / params.cut_speed / 60;
+  return plan;
+}
+
 Plan plan_of(cv::Size target, const Params& params) {
   const double mm_per_px = plan_mm_per_px(params);
   const double scale = params.image_size_mm / mm_per_px / std::min(target.width, target.height);
@@ -66,12 +86,11 @@ Plan plan_of(cv::Size target, const Params& params) {
 
 double Forecast::free() const { return std::accumulate(free_mm2.begin(), free_mm2.end(), 0.0); }
 
-Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, const Params& params) {
+Forecast forecast_of(const cv::Mat3b& target, const std::vector<Patch>& patches, const std::vector<Panel>& panels,
+                     const Params& params) {
   const double mm_per_px = panels.front().mm_per_px, mm2 = mm_per_px * mm_per_px;
-  const cv::Mat3b sized = at_resolution(target, params, mm_per_px);
-  const std::vector<Patch> patches = grid_patches(sized.size(), params, mm_per_px);
   Forecast forecast;
-  forecast.plan = plan_of(patches, sized.size(), params, mm_per_px);
+  forecast.plan = plan_of(patches, target.size(), params, mm_per_px);
   for (const char* name : kToneNames) forecast.tones.push_back({name});
   Histogram wood{};
   for (const Panel& panel : panels) {
@@ -84,25 +103,23 @@ Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, 
       forecast.tones[static_cast<std::size_t>(tone_of(level))].free_mm2 +=
           static_cast<double>(coarse[static_cast<std::size_t>(level)]) * mm2;
   }
-  const cv::Mat1b levels = intensity_of(sized);
+  const cv::Mat1b levels = intensity_of(target);
   const Tones tones = matched_tones(histogram_of(levels, {}), wood, params.weight_histogram);
-  const double around = params.kerf_mm + params.clearance_mm;
   for (const Patch& patch : patches) {
-    std::int64_t sum = 0;
-    for (const std::uint8_t level : cv::Mat1b(levels(patch.box).clone())) sum += tones[level];
-    const int tone = tone_of(static_cast<int>(sum / patch.box.area()));
-    forecast.tones[static_cast<std::size_t>(tone)].needed_mm2 +=
-        (patch.box.width * mm_per_px + around) * (patch.box.height * mm_per_px + around);
+    const int tone = tone_of(static_cast<int>(mean_level(levels(patch.box), patch.mask, tones)));
+    forecast.tones[static_cast<std::size_t>(tone)].needed_mm2 += taken_mm2(patch, params, mm_per_px);
   }
   return forecast;
 }
 
 std::string describe(const Plan& plan, const Params& params) {
+  const bool is_grid = plan.pieces == plan.rows * plan.columns;
+  const std::string rows = is_grid ? fmt::format(" in {} rows of {}", plan.rows, plan.columns) : std::string();
   return fmt::format(
-      "{} pieces in {} rows of {}, {:.1f} x {:.1f} mm\n"
+      "{} pieces{}, {:.1f} x {:.1f} mm\n"
       "wood: {:.0f} cm2, with kerf and clearance {:.0f} cm2\n"
       "cutting: {:.2f} m, {:.1f} minutes at {:g} mm/s\n",
-      plan.pieces, plan.rows, plan.columns, plan.width_mm, plan.height_mm, plan.wood_mm2 / 100, plan.taken_mm2 / 100,
+      plan.pieces, rows, plan.width_mm, plan.height_mm, plan.wood_mm2 / 100, plan.taken_mm2 / 100,
       plan.cut_mm / 1000, plan.minutes, params.cut_speed);
 }
 

@@ -6,12 +6,13 @@
 
 #include "tessera/parquetry/panel.h"
 #include "tessera/parquetry/params.h"
+#include "tessera/parquetry/patch.h"
 
 namespace tessera::parquetry {
 
-// Of a target's size alone; adaptive patches only make more of them.
+// Adaptive patches only make more of them.
 struct Plan {
-  int pieces = 0, rows = 0, columns = 0;
+  int pieces = 0, rows = 0, columns = 0;  // the most columns of a row
   double width_mm = 0, height_mm = 0;  // of the finished piece
   double wood_mm2 = 0;                 // of all pieces
   double taken_mm2 = 0;                // the same with kerf and clearance around each
@@ -19,7 +20,8 @@ struct Plan {
   double minutes = 0;                  // of cutting, at cutSpeed
 };
 double plan_mm_per_px(const Params& params);  // that of panels of 150 dpi, where resolutionDpi says nothing
-Plan plan_of(cv::Size target, const Params& params);
+Plan plan_of(cv::Size target, const Params& params);  // of a grid
+Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px);
 std::string describe(const Plan& plan, const Params& params);
 
 const char* tone_name(int level);  // "light" of 255
@@ -38,7 +40,9 @@ struct Forecast {
   double free() const;
 };
 // Whether the panels suffice. What is free is not all usable: between pieces that do not fill a panel wood is left.
-Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, const Params& params);
+// `target`: at the panels' resolution; `patches` cover it.
+Forecast forecast_of(const cv::Mat3b& target, const std::vector<Patch>& patches, const std::vector<Panel>& panels,
+                     const Params& params);
 std::string describe(const Forecast& forecast, const std::vector<Panel>& panels, const Params& params);
 
 }  // namespace tessera::parquetry
