@@ -129,7 +129,10 @@ Segmentation posterized_regions(const cv::Mat3b& target, const Params& params, d
   cv::Mat1i tones;
   colour_zones(calm, params.posterize).map.convertTo(tones, CV_32S);
   const Regions wide = widened(regions_of(tones), params.min_width_mm / mm_per_px);
-  return {split_large(wide, params.largest_patch * params.patch_mm / mm_per_px), 1};
+  // The tones' frontiers follow the photo's noise; these lines need not.
+  constexpr double kWobble = 1.0 / 9;
+  return {split_large(wide, params.largest_patch * params.patch_mm / mm_per_px),
+          std::max(1.0, kWobble * params.min_width_mm / mm_per_px)};
 }
 
 std::vector<Flaw> flaws_of(const std::vector<Polygon>& outlines, const Params& params, double mm_per_px) {
@@ -148,24 +151,23 @@ std::vector<Flaw> flaws_of(const std::vector<Polygon>& outlines, const Params& p
 
 Result<std::vector<Patch>> free_patches(Segmentation segmentation, const Params& params, double mm_per_px,
                                         int target_index) {
+  const bool repair = params.thin_parts == ThinParts::kRepair;
   const double width = params.min_width_mm / mm_per_px;
   Regions& regions = segmentation.regions;
-  if (params.thin_parts == ThinParts::kRepair) {
-    regions = widened(std::move(regions), width);
-  } else {
-    part_corners(regions.labels);
-    regions = regions_of(regions.labels);
-  }
-  std::vector<Polygon> outlines = outlines_of(segmentation, width);
+  if (repair) regions = widened(std::move(regions), width);
   // Smooth lines are not those between pixels: a little more room, and in the end fewer pieces, until all are wide.
   constexpr int kRounds = 3;
+  std::vector<Polygon> outlines;
   for (int round = 1;; ++round) {
+    if (params.enclosed == Enclosed::kSplit && round <= kRounds) regions = without_holes(std::move(regions));
+    part_corners(regions.labels);
+    regions = regions_of(regions.labels);
+    outlines = outlines_of(segmentation, width);
     const std::vector<Flaw> flaws = flaws_of(outlines, params, mm_per_px);
-    if (flaws.empty() || (regions.count == 1 && params.thin_parts == ThinParts::kRepair)) break;
-    if (params.thin_parts == ThinParts::kRefuse) return refused(flaws, outlines.size(), params, mm_per_px);
+    if (flaws.empty() || (repair && regions.count == 1)) break;
+    if (!repair) return refused(flaws, outlines.size(), params, mm_per_px);
     regions = round <= kRounds ? widened(std::move(regions), width + 2 * round)
                                : joined(regions, marked(flaws, regions.count));
-    outlines = outlines_of(segmentation, width);
   }
   std::vector<Patch> patches;
   for (Polygon& outline : outlines)

@@ -13,6 +13,7 @@ namespace tessera::parquetry {
 enum class Order { kSaliency, kCentre, kRows };
 enum class Side { kBack, kFront };
 enum class ThinParts { kRepair, kRefuse };
+enum class Enclosed { kSplit, kKeep };
 enum class Grain { kAny, kAligned, kDegrees };
 
 struct Params {
@@ -36,6 +37,7 @@ struct Params {
   int posterize = 0;
   double largest_patch = 5;
   ThinParts thin_parts = ThinParts::kRepair;
+  Enclosed enclosed = Enclosed::kSplit;
   int improve_tries = 0;
   double cut_speed = 20;
   std::string panels;
@@ -141,6 +143,9 @@ void visit(Visitor& v, Params& p) {
             .advanced = true},
            {{ThinParts::kRepair, "repair", "they go to the pieces beside them"},
             {ThinParts::kRefuse, "refuse", "nothing is made, and a message tells where they are"}});
+  v.choice(p.enclosed, {.key = "enclosed", .help = "What becomes of pieces around others", .advanced = true},
+           {{Enclosed::kSplit, "split", "they are cut apart, so that none has a hole, which breaks easily"},
+            {Enclosed::kKeep, "keep", "they have holes, in which the others lie"}});
   v.integer(p.improve_tries, {.key = "improveTries",
                               .min = 0,
                               .max = 1e9,

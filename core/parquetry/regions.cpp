@@ -1,13 +1,13 @@
 #include "tessera/parquetry/regions.h"
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
-#include "tessera/voronoi/smooth_outlines.h"
+#include "tessera/voronoi/trace.h"
 
 namespace tessera::parquetry {
 namespace {
@@ -56,6 +56,50 @@ std::vector<Border> borders_of(const Regions& regions) {
     ++borders.back().length;
   }
   return borders;
+}
+
+bool is_wide(cv::Rect box) { return box.width >= box.height; }
+
+// Across the longer side of a region's bounds.
+struct Cut {
+  int region;
+  int at;  // the first pixel behind it, along that side
+};
+
+Regions cut(const Regions& regions, const std::vector<Extent>& extents, const std::vector<Cut>& cuts) {
+  cv::Mat1i values = regions.labels.clone();
+  for (const Cut& way : cuts) {
+    const cv::Rect box = extents[way.region].box;
+    const int begin = is_wide(box) ? box.x : box.y, end = begin + std::max(box.width, box.height);
+    const int at = std::clamp(way.at, begin + 1, end - 1);
+    for (int y = box.y; y < box.y + box.height; ++y)
+      for (int x = box.x; x < box.x + box.width; ++x)
+        if (regions.labels(y, x) == way.region && (is_wide(box) ? x : y) >= at)
+          values(y, x) = regions.count + way.region;
+  }
+  return regions_of(values);
+}
+
+// Bounds of the holes of each region that has some.
+std::map<int, std::vector<cv::Rect>> holes_of(const Regions& regions) {
+  const CellGraph graph = trace_cells_and_islands(regions.labels, regions.count);
+  const auto walks = cell_walks(graph, regions.count);
+  std::map<int, std::vector<cv::Rect>> holes;
+  for (int region = 0; region < regions.count; ++region) {
+    if (walks[region].size() < 2) continue;
+    std::vector<cv::Rect> boxes;
+    for (const std::vector<int>& walk : walks[region]) {
+      std::vector<cv::Point> corners;
+      for (const int h : walk)
+        for (const cv::Point corner : walk_arc(graph, regions.labels, h >> 1)) corners.push_back(corner);
+      boxes.push_back(cv::boundingRect(corners));
+    }
+    // The walk around the region itself has the largest bounds.
+    boxes.erase(std::max_element(boxes.begin(), boxes.end(),
+                                 [](const cv::Rect& a, const cv::Rect& b) { return a.area() < b.area(); }));
+    holes[region] = std::move(boxes);
+  }
+  return holes;
 }
 
 // ---- Widths
@@ -186,11 +230,6 @@ void join_narrow(Regions& regions, double width) {
   }
 }
 
-void part_touching(Regions& regions) {
-  part_corners(regions.labels);
-  regions = regions_of(regions.labels);
-}
-
 }  // namespace
 
 Regions regions_of(const cv::Mat1i& values) {
@@ -223,25 +262,34 @@ Regions regions_of(const cv::Mat1i& values) {
 Regions split_large(Regions regions, double most) {
   for (;;) {
     const std::vector<Extent> extents = extents_of(regions);
-    cv::Mat1i values = regions.labels.clone();
-    bool changed = false;
+    std::vector<Cut> cuts;
     for (int region = 0; region < regions.count; ++region) {
       const Extent& extent = extents[region];
-      const cv::Rect box = extent.box;
-      if (std::max(box.width, box.height) <= std::max(1.0, most)) continue;
-      changed = true;
-      const bool along_x = box.width >= box.height;
-      const std::int64_t sum = along_x ? extent.x : extent.y;
-      const int middle = std::clamp(static_cast<int>((2 * sum / extent.pixels + 1) / 2),
-                                    (along_x ? box.x : box.y) + 1,
-                                    (along_x ? box.x + box.width : box.y + box.height) - 1);
-      for (int y = box.y; y < box.y + box.height; ++y)
-        for (int x = box.x; x < box.x + box.width; ++x)
-          if (regions.labels(y, x) == region && (along_x ? x : y) >= middle) values(y, x) = regions.count + region;
+      if (std::max(extent.box.width, extent.box.height) <= std::max(1.0, most)) continue;
+      const std::int64_t sum = is_wide(extent.box) ? extent.x : extent.y;
+      cuts.push_back({region, static_cast<int>((2 * sum / extent.pixels + 1) / 2)});
     }
-    if (!changed) return regions;
-    regions = regions_of(values);
+    if (cuts.empty()) return regions;
+    regions = cut(regions, extents, cuts);
   }
+}
+
+Regions without_holes(Regions regions) {
+  constexpr int kRounds = 64;  // each halves the holes of a region
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Extent> extents = extents_of(regions);
+    std::vector<Cut> cuts;
+    for (const auto& [region, holes] : holes_of(regions)) {
+      std::vector<int> middles;
+      for (const cv::Rect& hole : holes)
+        middles.push_back(is_wide(extents[region].box) ? hole.x + (hole.width + 1) / 2 : hole.y + (hole.height + 1) / 2);
+      std::sort(middles.begin(), middles.end());
+      cuts.push_back({region, middles[middles.size() / 2]});
+    }
+    if (cuts.empty()) break;
+    regions = cut(regions, extents, cuts);
+  }
+  return regions;
 }
 
 Regions joined(const Regions& regions, const std::vector<char>& marked) {
@@ -277,14 +325,11 @@ Regions joined(const Regions& regions, const std::vector<char>& marked) {
 
 Regions widened(Regions regions, double width) {
   constexpr int kRounds = 6;
-  part_touching(regions);
   for (int round = 0; round < kRounds; ++round) {
     join_narrow(regions, width);
     if (!cut_thin_parts(regions, width)) break;
-    part_touching(regions);
-  }
+    }
   join_narrow(regions, width);
-  part_touching(regions);
   return regions;
 }
 

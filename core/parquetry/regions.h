@@ -30,6 +30,10 @@ Regions split_large(Regions regions, double most);
 // stay as they are, but for what they are given.
 Regions widened(Regions regions, double width);
 
+// Regions that enclose others cut in two, across the longer side of their bounds and through the middle of the holes,
+// until none does.
+Regions without_holes(Regions regions);
+
 // The marked regions (one a region) joined with the neighbours that they have the longest side with, the smallest
 // first; one that another was joined with in this call stays.
 Regions joined(const Regions& regions, const std::vector<char>& marked);
