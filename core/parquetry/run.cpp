@@ -18,7 +18,7 @@ constexpr double kMostBytes = 3.6e9;
 // Of a turned panel: features, fine moments and, per block side, coarse ones; bounds and room.
 double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
   const double channels = feature_channels(params), group = kGroup * kGroup;
-  const double sides = std::min(3, 2 + params.adaptive_levels);
+  const double sides = std::min(3, 1 + params.adaptive_levels);
   double pixels = 0;
   for (const Panel& panel : panels) pixels += static_cast<double>(panel.scan.total());
   const double views = static_cast<double>(allowed_rotations(params).size());
