@@ -149,7 +149,7 @@ Point centroid(const Ring& ring) {
   return ring[0] + (flat ? 1 / static_cast<double>(ring.size()) * mean : 1 / (3 * twice) * moment);
 }
 
-Point centroid(const Polygon& polygon) {
+Point centroid_with_holes(const Polygon& polygon) {
   double sum = std::abs(signed_area(polygon.outer));
   Point moment = sum * centroid(polygon.outer);
   for (const Ring& hole : polygon.holes) {

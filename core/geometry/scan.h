@@ -11,8 +11,8 @@
 
 namespace tessera {
 
-// Calls visit(y, begin, end) for each row's runs of pixels [begin, end) whose centres lie inside the rings (even-odd),
-// of a picture of width x height pixels. Outlines that share a side share no pixel.
+// Calls visit(y, begin, end) for each row's runs of pixels [begin, end) whose centres lie inside the rings
+// (even-odd), of a picture of width x height pixels. Outlines that share a side share no pixel.
 template <class Visit>
 void each_run(std::span<const Ring* const> rings, int width, int height, Visit&& visit) {
   double top = 1e30, bottom = -1e30;

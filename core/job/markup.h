@@ -1,5 +1,5 @@
-// XML, stepped over piece by piece without a library: nothing is expanded, so that hostile files cost no more than one
-// pass over their bytes.
+// XML, stepped over piece by piece without a library: nothing is expanded, so that hostile files cost no more than
+// one pass over their bytes.
 #pragma once
 
 #include <optional>

@@ -190,8 +190,7 @@ void tell_missing(const parquetry::Output& output, const cv::Mat3b& target, cons
     const auto patch = static_cast<std::size_t>(placement.patch);
     if (++missing <= kNamed) named += (missing > 1 ? ", " : "") + names[patch];
     const cv::Rect box = output.patches[patch].box;
-    const double around = params.kerf_mm + params.clearance_mm;
-    area += (box.width * mm_per_px + around) * (box.height * mm_per_px + around);
+    area += parquetry::taken_mm2(output.patches[patch], params, mm_per_px);
     for (const std::uint8_t level : cv::Mat1b(parquetry::intensity_of(target(box)))) light += level;
     pixels += box.area();
   }
@@ -281,8 +280,14 @@ std::vector<Question> parquet_questions() {
     if (!patches) return tl::unexpected<Status>(patches.error());
     return describe(parquetry::forecast_of(sized, *patches, *panels, params), *panels, params);
   };
-  return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target", "segmentation"}, plan},
-          {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "segmentation", "panel", "mask"}, forecast}};
+  return {{"plan",
+           "Tell how many pieces, how much wood and cutting it takes; needs no panel",
+           {"target", "segmentation"},
+           plan},
+          {"forecast",
+           "Tell whether the panels suffice, and make nothing",
+           {"target", "segmentation", "panel", "mask"},
+           forecast}};
 }
 
 }  // namespace tessera

@@ -277,8 +277,8 @@ class PathReader {
     const double flat = std::max(0.0, 1 / std::min(size, 1.0) - 1);
     const double factor = (large == sweep ? -1 : 1) * std::sqrt(flat);
     const Point middle{factor * rx * own.y / ry, -factor * ry * own.x / rx};
-    const Point centre = 0.5 * (at_ + to) + Point{tilt.cos * middle.x - tilt.sin * middle.y,
-                                                  tilt.sin * middle.x + tilt.cos * middle.y};
+    const Point centre = 0.5 * (at_ + to) +
+                         Point{tilt.cos * middle.x - tilt.sin * middle.y, tilt.sin * middle.x + tilt.cos * middle.y};
     const double begin = atan2_portable((own.y - middle.y) / ry, (own.x - middle.x) / rx);
     double way = atan2_portable((-own.y - middle.y) / ry, (-own.x - middle.x) / rx) - begin;
     if (sweep > 0 && way < 0) way += 2 * kPi;
@@ -368,8 +368,8 @@ Result<Canvas> canvas_of(std::string_view tag, std::uint64_t max_pixels) {
   Canvas canvas{{}, {pixels(width), pixels(height), 3, 8, {}}};
   const Raster& raster = canvas.raster;
   if (static_cast<std::uint64_t>(raster.width) * static_cast<std::uint64_t>(raster.height) > max_pixels)
-    return unusable(fmt::format("is painted in {} x {} pixels, expected at most {}", raster.width, raster.height,
-                                max_pixels));
+    return unusable(
+        fmt::format("is painted in {} x {} pixels, expected at most {}", raster.width, raster.height, max_pixels));
   const double x = raster.width / width, y = raster.height / height;
   canvas.to_pixels = {x, 0, 0, y, -left * x, -top * y};
   canvas.raster.bytes.assign(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height) * 3, 0);
@@ -391,7 +391,7 @@ void paint(std::vector<Ring> rings, const Transform& transform, std::size_t numb
 }
 
 bool is_left_out(const MarkupPiece& tag) {
-  constexpr std::array<std::string_view, 9> kUnseen = {"defs",   "symbol",  "clipPath", "mask",    "pattern",
+  constexpr std::array<std::string_view, 9> kUnseen = {"defs",   "symbol",   "clipPath", "mask", "pattern",
                                                        "marker", "metadata", "style",    "title"};
   return std::find(kUnseen.begin(), kUnseen.end(), tag.local_name()) != kUnseen.end() ||
          attribute_of(tag.text, "display") == "none";

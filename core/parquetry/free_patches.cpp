@@ -97,8 +97,8 @@ std::vector<char> marked(const std::vector<Flaw>& flaws, int count) {
 
 Result<Segmentation> drawn_regions(const ImageView& picture, cv::Size target) {
   constexpr double kOff = 0.01;
-  const double stretched = static_cast<double>(picture.width) * target.height /
-                           (static_cast<double>(picture.height) * target.width);
+  const double stretched =
+      static_cast<double>(picture.width) * target.height / (static_cast<double>(picture.height) * target.width);
   if (std::abs(stretched - 1) > kOff)
     return fail(StatusCode::kInvalidInput, "segmentation",
                 fmt::format("is {} x {}, expected the target's proportions, {} to {}", picture.width, picture.height,
@@ -112,8 +112,7 @@ Result<Segmentation> drawn_regions(const ImageView& picture, cv::Size target) {
       values(y, x) = pixel[0] << 16 | pixel[1] << 8 | pixel[2];
     }
   }
-  Segmentation segmentation{regions_of(values),
-                            std::max(1.0, static_cast<double>(target.width) / picture.width)};
+  Segmentation segmentation{regions_of(values), std::max(1.0, static_cast<double>(target.width) / picture.width)};
   if (segmentation.regions.count > kMostRegions)
     return fail(StatusCode::kInvalidInput, "segmentation",
                 fmt::format("has {} regions, expected at most {}: of one colour or number each, without noise",

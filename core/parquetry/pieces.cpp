@@ -97,7 +97,7 @@ std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vec
                    .turn_deg = placement.turn_deg,
                    .cost = placement.cost};
     const double mm = panels[piece.panel].mm_per_px;
-    piece.centroid_mm = mm * centroid(piece.on_panel);
+    piece.centroid_mm = mm * centroid_with_holes(piece.on_panel);
     piece.area_mm2 = mm * mm * area(piece.on_panel);
     piece.min_width_mm = least_width(scaled(piece.on_panel, mm), params.min_width_mm);
     const double grain = grain_of(greys[piece.panel], piece.on_panel) + piece.turn_deg;

@@ -25,14 +25,6 @@ double around(const Patch& patch) {
   return length;
 }
 
-// With kerf and clearance; what is in a hole is not to be had any more.
-double taken_mm2(const Patch& patch, const Params& params, double mm_per_px) {
-  const double margin = params.kerf_mm + params.clearance_mm;
-  const Ring& outer = patch.outline.outer;
-  return mm_per_px * mm_per_px * std::abs(signed_area(outer)) + mm_per_px * perimeter(outer) / 2 * margin +
-         margin * margin;
-}
-
 // Means over the area of a patch.
 cv::Mat1b averaged(const cv::Mat1b& levels, const Params& params, double mm_per_px) {
   const int side = std::max(1, static_cast<int>(params.patch_mm / mm_per_px));
@@ -53,6 +45,13 @@ std::int64_t mean_level(const cv::Mat1b& levels, const cv::Mat1b& mask, const To
 double shortage(double needed, double free) { return free > 0 ? needed / (kPacked * free) : needed > 0 ? 1e9 : 0; }
 
 }  // namespace
+
+double taken_mm2(const Patch& patch, const Params& params, double mm_per_px) {
+  const double margin = params.kerf_mm + params.clearance_mm;
+  const Ring& outer = patch.outline.outer;
+  return mm_per_px * mm_per_px * std::abs(signed_area(outer)) + mm_per_px * perimeter(outer) / 2 * margin +
+         margin * margin;
+}
 
 double plan_mm_per_px(const Params& params) {
   return params.resolution_dpi > 0 ? 25.4 / params.resolution_dpi : kPlanMmPerPx;
@@ -119,8 +118,8 @@ std::string describe(const Plan& plan, const Params& params) {
       "{} pieces{}, {:.1f} x {:.1f} mm\n"
       "wood: {:.0f} cm2, with kerf and clearance {:.0f} cm2\n"
       "cutting: {:.2f} m, {:.1f} minutes at {:g} mm/s\n",
-      plan.pieces, rows, plan.width_mm, plan.height_mm, plan.wood_mm2 / 100, plan.taken_mm2 / 100,
-      plan.cut_mm / 1000, plan.minutes, params.cut_speed);
+      plan.pieces, rows, plan.width_mm, plan.height_mm, plan.wood_mm2 / 100, plan.taken_mm2 / 100, plan.cut_mm / 1000,
+      plan.minutes, params.cut_speed);
 }
 
 std::string describe(const Forecast& forecast, const std::vector<Panel>& panels, const Params& params) {

@@ -13,13 +13,15 @@ namespace tessera::parquetry {
 // Adaptive patches only make more of them.
 struct Plan {
   int pieces = 0, rows = 0, columns = 0;  // the most columns of a row
-  double width_mm = 0, height_mm = 0;  // of the finished piece
-  double wood_mm2 = 0;                 // of all pieces
-  double taken_mm2 = 0;                // the same with kerf and clearance around each
-  double cut_mm = 0;                   // all outlines
-  double minutes = 0;                  // of cutting, at cutSpeed
+  double width_mm = 0, height_mm = 0;     // of the finished piece
+  double wood_mm2 = 0;                    // of all pieces
+  double taken_mm2 = 0;                   // the same with kerf and clearance around each
+  double cut_mm = 0;                      // all outlines
+  double minutes = 0;                     // of cutting, at cutSpeed
 };
-double plan_mm_per_px(const Params& params);  // that of panels of 150 dpi, where resolutionDpi says nothing
+// Of the wood by a patch, with kerf and clearance; what is in a hole is not to be had any more.
+double taken_mm2(const Patch& patch, const Params& params, double mm_per_px);
+double plan_mm_per_px(const Params& params);          // that of panels of 150 dpi, where resolutionDpi says nothing
 Plan plan_of(cv::Size target, const Params& params);  // of a grid
 Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px);
 std::string describe(const Plan& plan, const Params& params);

@@ -282,7 +282,8 @@ Regions without_holes(Regions regions) {
     for (const auto& [region, holes] : holes_of(regions)) {
       std::vector<int> middles;
       for (const cv::Rect& hole : holes)
-        middles.push_back(is_wide(extents[region].box) ? hole.x + (hole.width + 1) / 2 : hole.y + (hole.height + 1) / 2);
+        middles.push_back(is_wide(extents[region].box) ? hole.x + (hole.width + 1) / 2
+                                                       : hole.y + (hole.height + 1) / 2);
       std::sort(middles.begin(), middles.end());
       cuts.push_back({region, middles[middles.size() / 2]});
     }
@@ -298,8 +299,7 @@ Regions joined(const Regions& regions, const std::vector<char>& marked) {
   std::vector<int> order;
   for (int region = 0; region < regions.count; ++region)
     if (marked[region]) order.push_back(region);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return extents[a].pixels < extents[b].pixels; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return extents[a].pixels < extents[b].pixels; });
   std::vector<int> parent(regions.count);
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int region) {
@@ -328,7 +328,7 @@ Regions widened(Regions regions, double width) {
   for (int round = 0; round < kRounds; ++round) {
     join_narrow(regions, width);
     if (!cut_thin_parts(regions, width)) break;
-    }
+  }
   join_narrow(regions, width);
   return regions;
 }

@@ -26,8 +26,8 @@ Regions split_large(Regions regions, double most);
 // 2. Others are cut apart at necks, and tails are cut off.
 // 3. What was cut off goes to the region next to it, which may be the one that it was cut from.
 //
-// Again, until nothing is left to do; what still is after some rounds is joined as in 1. Regions that were wide enough
-// stay as they are, but for what they are given.
+// Again, until nothing is left to do; what still is after some rounds is joined as in 1. Regions that were wide
+// enough stay as they are, but for what they are given.
 Regions widened(Regions regions, double width);
 
 // Regions that enclose others cut in two, across the longer side of their bounds and through the middle of the holes,

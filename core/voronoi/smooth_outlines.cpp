@@ -41,11 +41,10 @@ Line simplified(const Line& line, double tolerance) {
   stays.front() = stays.back() = true;
   std::size_t half = line.size() - 1;
   if (line.front() == line.back()) {
-    half = static_cast<std::size_t>(std::max_element(line.begin(), line.end(),
-                                                     [&](Point a, Point b) {
-                                                       return length(a - line[0]) < length(b - line[0]);
-                                                     }) -
-                                    line.begin());
+    half = static_cast<std::size_t>(
+        std::max_element(line.begin(), line.end(),
+                         [&](Point a, Point b) { return length(a - line[0]) < length(b - line[0]); }) -
+        line.begin());
     stays[half] = true;
     mark_corners(line, half, line.size() - 1, tolerance, stays);
   }
@@ -130,7 +129,8 @@ bool are_neighbours(const Side& s, const Side& t) {
 
 // Neighbours may share their common vertex only.
 bool meet(const Side& s, const Side& t) {
-  if (std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y)) return false;
+  if (std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y))
+    return false;
   const auto turn = [](Point p, Point q, Point r) { return cross(q - p, r - p); };
   if (are_neighbours(s, t)) {
     const bool follows = (s.index + 1) % s.count == t.index;
@@ -179,8 +179,7 @@ std::vector<Polygon> smooth_outlines(const LabelMap& labels, int cells, double t
   const int arcs = static_cast<int>(graph.arcs.size());
   std::vector<Line> lines(arcs);
   cv::parallel_for_({0, arcs}, [&](const cv::Range& range) {
-    for (int k = range.start; k < range.end; ++k)
-      lines[k] = smoothed(graph, k, line_of(graph, labels, k), tolerance);
+    for (int k = range.start; k < range.end; ++k) lines[k] = smoothed(graph, k, line_of(graph, labels, k), tolerance);
   });
   std::vector<Polygon> outlines(cells);
   std::vector<bool> smooth(arcs, true);

@@ -54,8 +54,8 @@ CellGraph trace_cells_and_islands(const LabelMap& labels, int cells);
 // The pixel corners along an arc, both junctions included.
 std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, int arc);
 
-// Half-edges along all of the boundary of each cell, in closed walks: the cell on the right, so that the walk around a
-// cell is clockwise on the screen and those around what it encloses are not. By first half-edge; walks[cell].
+// Half-edges along all of the boundary of each cell, in closed walks: the cell on the right, so that the walk around
+// a cell is clockwise on the screen and those around what it encloses are not. By first half-edge; walks[cell].
 std::vector<std::vector<std::vector<int>>> cell_walks(const CellGraph& graph, int cells);
 
 // Half-edges around each cell, clockwise on the screen; none where a cell meets no junction.

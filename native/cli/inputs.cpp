@@ -51,8 +51,7 @@ tl::expected<std::map<std::string, Input>, Problems> read_inputs(const Job& job,
   std::map<std::string, Input> inputs;
   Problems problems;
   for (const auto& [role, path] : job.inputs) {
-    auto input =
-        read_input(path, folder, max_pixels, role_of(technique_of(job.params), role), with_checksums);
+    auto input = read_input(path, folder, max_pixels, role_of(technique_of(job.params), role), with_checksums);
     if (input) {
       inputs.emplace(role, *std::move(input));
     } else {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scans.h"
+#include "tessera/parquetry/patches.h"
 
 namespace tessera::parquetry {
 namespace {
@@ -45,7 +46,9 @@ TEST(Forecast, ComparesTonesWithTheWood) {
   cv::Mat3b target(200, 200, cv::Vec3b(250, 250, 250));
   target(cv::Rect(0, 0, 100, 200)).setTo(cv::Vec3b(5, 5, 5));
   const std::vector<Panel> panels = {plain_panel(300, 240), plain_panel(100, 10)};
-  const Forecast forecast = forecast_of(target, panels, params);
+  const cv::Mat3b sized = at_resolution(target, params, 0.5);
+  const std::vector<Patch> patches = grid_patches(sized.size(), params, 0.5);
+  const Forecast forecast = forecast_of(sized, patches, panels, params);
   EXPECT_NEAR(forecast.free_mm2[0], 150 * 150, 1e-6);
   EXPECT_NEAR(forecast.tones.back().free_mm2, 150 * 150, 1e-6);
   EXPECT_NEAR(forecast.tones.front().free_mm2, 50 * 50, 1e-6);
@@ -54,7 +57,7 @@ TEST(Forecast, ComparesTonesWithTheWood) {
   const std::string text = describe(forecast, panels, params);
   EXPECT_THAT(text, HasSubstr("The wood suffices"));
   EXPECT_THAT(text, HasSubstr("Of dark wood some"));
-  EXPECT_THAT(describe(forecast_of(target, {plain_panel(100, 240)}, params), {panels[1]}, params),
+  EXPECT_THAT(describe(forecast_of(sized, patches, {plain_panel(100, 240)}, params), {panels[1]}, params),
               HasSubstr("does not suffice"));
 }
 
