@@ -244,7 +244,7 @@ class PathReader {
     begun_ = false;
   }
   void curve_to(Point p, Point q, Point r) {
-    constexpr int kParts = 24;
+    constexpr int kParts = 48;
     const Point from = at_;
     for (int i = 1; i <= kParts; ++i) {
       const double t = static_cast<double>(i) / kParts, s = 1 - t;

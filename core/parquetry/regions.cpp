@@ -222,9 +222,13 @@ bool cut_thin_parts(Regions& regions, double width) {
   return true;
 }
 
-void join_narrow(Regions& regions, double width) {
+// Those of at most `pixels`.
+void join_narrow(Regions& regions, double width, double pixels) {
   for (;;) {
-    const std::vector<char> narrow = too_narrow(regions, width);
+    std::vector<char> narrow = too_narrow(regions, width);
+    const std::vector<Extent> extents = extents_of(regions);
+    for (int region = 0; region < regions.count; ++region)
+      if (static_cast<double>(extents[region].pixels) > pixels) narrow[region] = 0;
     if (regions.count == 1 || std::count(narrow.begin(), narrow.end(), 1) == 0) return;
     regions = joined(regions, narrow);
   }
@@ -326,10 +330,10 @@ Regions joined(const Regions& regions, const std::vector<char>& marked) {
 Regions widened(Regions regions, double width) {
   constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
-    join_narrow(regions, width);
+    join_narrow(regions, width, width * width);
     if (!cut_thin_parts(regions, width)) break;
   }
-  join_narrow(regions, width);
+  join_narrow(regions, width, static_cast<double>(regions.labels.total()));
   return regions;
 }
 

@@ -22,9 +22,10 @@ Regions split_large(Regions regions, double most);
 // Regions that a disc of diameter `width` px fits into everywhere but in corners, in one piece when that is taken off
 // all around:
 //
-// 1. Those with no room for the disc go to the neighbour that they have the longest side with, the smallest first.
-// 2. Others are cut apart at necks, and tails are cut off.
-// 3. What was cut off goes to the region next to it, which may be the one that it was cut from.
+// 1. Those with no room for the disc, and no larger than width^2, go to the neighbour that they have the longest side
+//    with, the smallest first.
+// 2. Others are cut apart at necks, and tails are cut off; of lines, which are tails only, nothing is left.
+// 3. Each pixel that was cut off goes to the region next to it, which may be the one that it was cut from.
 //
 // Again, until nothing is left to do; what still is after some rounds is joined as in 1. Regions that were wide
 // enough stay as they are, but for what they are given.

@@ -90,12 +90,42 @@ Line line_of(const CellGraph& graph, const LabelMap& labels, int arc) {
   return line;
 }
 
+// Through the middles of the pixels' sides, which are nearer to a slope that they stand for than their ends, and the
+// corners between straight runs that are no stairs. An island's has its first point again at its end.
+Line course_of(const Line& corners, bool is_island) {
+  constexpr std::size_t kStraight = 4;  // sides
+  const std::size_t sides = corners.size() - 1;
+  const auto turns_before = [&](std::size_t i) {  // at corners[i]
+    const Point in = i > 0 ? corners[i] - corners[i - 1] : corners[sides] - corners[sides - 1];
+    return !(in == corners[i + 1] - corners[i]);
+  };
+  const auto goes_on = [&](std::size_t i) {  // for so many sides from corners[i]
+    std::size_t run = 1;
+    while (run < kStraight && i + run < sides && !turns_before(i + run)) ++run;
+    return run;
+  };
+  const auto came = [&](std::size_t i) {  // the same, to there
+    std::size_t run = 1;
+    while (run < kStraight && i > run && !turns_before(i - run)) ++run;
+    return run;
+  };
+  Line course;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const bool is_end = i == 0 && !is_island;
+    const bool is_corner = turns_before(i) && goes_on(i) == kStraight && came(i > 0 ? i : sides) == kStraight;
+    if (is_end || is_corner) course.push_back(corners[i]);
+    course.push_back(0.5 * (corners[i] + corners[i + 1]));
+  }
+  course.push_back(is_island ? course.front() : corners.back());
+  return course;
+}
+
 Line smoothed(const CellGraph& graph, int arc, Line line, double tolerance) {
   constexpr int kRounds = 2;
   const Junction& junction = graph.junctions[graph.arcs[arc].from];
   const bool is_island = std::count(junction.half_edges.begin(), junction.half_edges.end(), -1) == 2 &&
                          graph.arcs[arc].from == graph.arcs[arc].to;
-  line = simplified(line, tolerance);
+  line = simplified(course_of(line, is_island), tolerance);
   for (int round = 0; round < kRounds; ++round) line = with_blunt_corners_cut(line, is_island, tolerance);
   return line;
 }
