@@ -149,6 +149,17 @@ Point centroid(const Ring& ring) {
   return ring[0] + (flat ? 1 / static_cast<double>(ring.size()) * mean : 1 / (3 * twice) * moment);
 }
 
+Point centroid_with_holes(const Polygon& polygon) {
+  double sum = std::abs(signed_area(polygon.outer));
+  Point moment = sum * centroid(polygon.outer);
+  for (const Ring& hole : polygon.holes) {
+    const double own = std::abs(signed_area(hole));
+    sum -= own;
+    moment -= own * centroid(hole);
+  }
+  return polygon.holes.empty() ? centroid(polygon.outer) : 1 / sum * moment;
+}
+
 bool is_convex(const Ring& ring, double tolerance_sine) {
   const double sense = signed_area(ring) < 0 ? -1 : 1;
   const std::size_t n = ring.size();

@@ -19,7 +19,8 @@ struct Polygon {
 double signed_area(const Ring& ring);
 double area(const Polygon& polygon);  // without its holes, >= 0
 double perimeter(const Ring& ring);
-Point centroid(const Ring& ring);  // centre of mass; the vertices' mean where the area is zero
+Point centroid(const Ring& ring);                   // centre of mass; the vertices' mean where the area is zero
+Point centroid_with_holes(const Polygon& polygon);  // of what holes leave of it; of an area above zero
 bool is_convex(const Ring& ring, double tolerance_sine = 1e-9);  // no turn against the ring's sense
 // Direction of the longer side of the least rectangle around the ring, in degrees, [0, 180), from x towards y.
 double orientation_deg(const Ring& ring);

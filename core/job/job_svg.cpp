@@ -1,9 +1,9 @@
-// Finds the job inside an SVG without an XML library: markup is stepped over piece by piece, nothing is expanded but
-// XML's own entities, so that hostile files cost no more than one pass over their bytes.
+// Finds the job inside an SVG; nothing is expanded but XML's own entities.
 #include <cstdint>
 #include <optional>
 
 #include "tessera/job/job_json.h"
+#include "tessera/job/markup.h"
 
 namespace tessera {
 namespace {
@@ -79,88 +79,35 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-// "metadata" of "svg:metadata id='a'".
-std::string_view local_name(std::string_view tag) {
-  const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/"));
-  const std::size_t colon = name.find(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
-
 class MetadataFinder {
  public:
-  explicit MetadataFinder(std::string_view svg) : rest_(svg) {}
+  explicit MetadataFinder(std::string_view svg) : markup_(svg) {}
 
   Result<std::string> find() {
-    while (!rest_.empty()) {
-      const std::size_t text = std::min(rest_.find('<'), rest_.size());
-      if (depth_ == 1 && !append_unescaped(rest_.substr(0, text), job_)) return no_job("has an unknown entity");
-      rest_.remove_prefix(text);
-      if (rest_.empty()) break;
+    using Kind = MarkupPiece::Kind;
+    while (const auto piece = markup_.next()) {
+      if (depth_ == 1 && piece->kind == Kind::kCharacterData) job_ += piece->text;
+      if (depth_ == 1 && piece->kind == Kind::kText && !append_unescaped(piece->text, job_))
+        return no_job("has an unknown entity");
       if (job_.size() > kMaxJobBytes) return no_job("has too long a <metadata>");
-      if (!step_over_markup()) return no_job("is not well-formed XML");
+      if (piece->kind == Kind::kTag) count_tag(*piece);
       if (found_) return *std::move(found_);
     }
-    return no_job("holds no job");
+    return no_job(markup_.is_at_end() ? "holds no job" : "is not well-formed XML");
   }
 
  private:
-  // Takes one piece of markup off the front; false where it has no end or declares entities.
-  bool step_over_markup() {
-    if (rest_.substr(0, 4) == "<!--") return take_until("-->", 4).has_value();
-    if (rest_.substr(0, 2) == "<?") return take_until("?>", 2).has_value();
-    if (rest_.substr(0, 9) == "<![CDATA[") {
-      const auto text = take_until("]]>", 9);
-      if (text && depth_ == 1) job_ += *text;
-      return text.has_value();
-    }
-    if (rest_.substr(0, 2) == "<!") {
-      const auto declaration = take_until(">", 2);
-      return declaration && declaration->find('[') == std::string_view::npos;
-    }
-    const auto tag = take_tag();
-    if (tag) count_tag(*tag);
-    return tag.has_value();
-  }
-
-  std::optional<std::string_view> take_until(std::string_view end, std::size_t start) {
-    const std::size_t at = rest_.find(end, start);
-    if (at == std::string_view::npos) return std::nullopt;
-    const std::string_view inside = rest_.substr(start, at - start);
-    rest_.remove_prefix(at + end.size());
-    return inside;
-  }
-
-  // What stands between < and >; a > within quotes does not end it.
-  std::optional<std::string_view> take_tag() {
-    char quote = 0;
-    for (std::size_t i = 1; i < rest_.size(); ++i) {
-      const char c = rest_[i];
-      if (quote) {
-        if (c == quote) quote = 0;
-      } else if (c == '"' || c == '\'') {
-        quote = c;
-      } else if (c == '>') {
-        const std::string_view tag = rest_.substr(1, i - 1);
-        rest_.remove_prefix(i + 1);
-        return tag;
-      }
-    }
-    return std::nullopt;
-  }
-
   // Keeps count of how deep below a <metadata> the text is; its own text, and no child's, may be the job.
-  void count_tag(std::string_view tag) {
-    const bool closes = !tag.empty() && tag.front() == '/';
-    const bool is_empty = !tag.empty() && tag.back() == '/';
-    if (closes && depth_ > 0 && --depth_ == 0) {
+  void count_tag(const MarkupPiece& tag) {
+    if (tag.is_closing() && depth_ > 0 && --depth_ == 0) {
       if (const std::string_view job = trimmed(job_); !job.empty() && job.front() == '{') found_ = std::string(job);
       job_.clear();
-    } else if (!closes && !is_empty && (depth_ > 0 || local_name(tag) == "metadata")) {
+    } else if (!tag.is_closing() && !tag.is_empty_element() && (depth_ > 0 || tag.local_name() == "metadata")) {
       ++depth_;
     }
   }
 
-  std::string_view rest_;
+  Markup markup_;
   int depth_ = 0;  // 0: outside, 1: directly in a <metadata>
   std::string job_;
   std::optional<std::string> found_;

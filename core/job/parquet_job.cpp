@@ -12,6 +12,7 @@
 #include "tessera/job/parquet_folder.h"
 #include "tessera/parquetry/cut_sheets.h"
 #include "tessera/parquetry/features.h"
+#include "tessera/parquetry/free_patches.h"
 #include "tessera/parquetry/panels.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/plan.h"
@@ -53,8 +54,8 @@ std::vector<parquetry::Scan> scans_of(const Pictures& pictures) {
   return scans;
 }
 
-// Masks and options of panels that are not there.
-Result<void> check_names(const Job& job, const Pictures& pictures) {
+// Inputs that do not go together: masks and options of panels that are not there, and two ways to make patches.
+Result<void> check_inputs(const Job& job, const Pictures& pictures) {
   const Technique& technique = *find_technique("parquetry");
   const auto is_panel = [&](const std::string& name) { return pictures.count("panel-" + name) != 0; };
   for (const auto& [input, picture] : pictures) {
@@ -66,12 +67,14 @@ Result<void> check_names(const Job& job, const Pictures& pictures) {
     if (!is_panel(options.name))
       return fail(StatusCode::kInvalidParameter, "panels",
                   fmt::format("tells of {}, but there is no panel of that name", options.name));
+  if (std::get<Params>(job.params).posterize > 0 && pictures.count("segmentation") != 0)
+    return fail(StatusCode::kInvalidParameter, "posterize", "is set beside a segmentation, expected one of the two");
   return {};
 }
 
 Rgb mean_colour(const Panel& panel, const CutPiece& piece) {
   std::int64_t sum[3] = {0, 0, 0}, count = 0;
-  each_run(piece.on_panel.outer, panel.scan.cols, panel.scan.rows, [&](int y, int begin, int end) {
+  each_run(piece.on_panel, panel.scan.cols, panel.scan.rows, [&](int y, int begin, int end) {
     for (int x = begin; x < end; ++x)
       for (int c = 0; c < 3; ++c) sum[c] += panel.scan(y, x)[c];
     count += end - begin;
@@ -145,21 +148,23 @@ Result<void> check_size(const std::vector<ImageView>& targets, const Params& par
   return {};
 }
 
-std::vector<cv::Size> sizes_of(const std::vector<ImageView>& pictures) {
+std::vector<cv::Size> sizes_of(const std::vector<cv::Mat3b>& targets) {
   std::vector<cv::Size> sizes;
-  for (const ImageView& picture : pictures) sizes.emplace_back(picture.width, picture.height);
+  for (const cv::Mat3b& target : targets) sizes.push_back(target.size());
   return sizes;
 }
 
-// What is to be laid: a grid on each target.
-parquetry::Request request_of(const std::vector<ImageView>& targets, const Params& params, double mm_per_px) {
+// What is to be laid on each target.
+Result<parquetry::Request> request_of(const std::vector<ImageView>& targets, const ImageView& segmentation,
+                                      const Params& params, double mm_per_px) {
   parquetry::Request request;
   request.interleaved = params.sequence == parquetry::Sequence::kInterleaved;
   for (const ImageView& picture : targets) {
     const int index = static_cast<int>(request.targets.size());
     request.targets.push_back(parquetry::at_resolution(picture.mat(), params, mm_per_px));
-    const auto patches = parquetry::grid_patches(request.targets.back().size(), params, mm_per_px, index);
-    request.patches.insert(request.patches.end(), patches.begin(), patches.end());
+    const auto patches = parquetry::patches_of(request.targets.back(), segmentation, params, mm_per_px, index);
+    if (!patches) return tl::unexpected<Status>(patches.error());
+    request.patches.insert(request.patches.end(), patches->begin(), patches->end());
   }
   return request;
 }
@@ -176,6 +181,10 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   job.inputs.clear();                                           // what is in them counts
   std::uint64_t fingerprint = parquetry::fingerprint_of(job_to_text(job));
   for (const cv::Mat3b& target : request.targets) fingerprint = parquetry::fingerprint_of(target, fingerprint);
+  for (const parquetry::Patch& patch : request.patches) {
+    fingerprint = parquetry::fingerprint_of(fmt::format("{} {}", patch.box.x, patch.box.y), fingerprint);
+    fingerprint = parquetry::fingerprint_of(patch.mask, fingerprint);
+  }
   for (const Panel& panel : panels) {
     fingerprint = parquetry::fingerprint_of(panel.name, fingerprint);
     fingerprint = parquetry::fingerprint_of(panel.scan, fingerprint);
@@ -241,8 +250,7 @@ void tell_missing(const parquetry::Output& output, const std::vector<cv::Mat3b>&
     if (++missing <= kNamed) named += (missing > 1 ? ", " : "") + names[patch];
     const cv::Rect box = output.patches[patch].box;
     const cv::Mat3b& target = targets[static_cast<std::size_t>(output.patches[patch].target)];
-    const double around = params.kerf_mm + params.clearance_mm;
-    area += (box.width * mm_per_px + around) * (box.height * mm_per_px + around);
+    area += parquetry::taken_mm2(output.patches[patch], params, mm_per_px);
     for (const std::uint8_t level : cv::Mat1b(parquetry::intensity_of(target(box)))) light += level;
     pixels += box.area();
   }
@@ -287,7 +295,7 @@ void add_targets(const parquetry::Output& output, std::size_t targets, Outcome& 
 Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Rasterizer& /*rasterizer*/,
                                 const RunContext& context, const IterationObserver& /*observer*/) {
   const auto& params = std::get<Params>(job.params);
-  if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
+  if (auto named = check_inputs(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
   context.stage("panels");
   auto panels = parquetry::take_in(scans_of(pictures), params, context);
   if (!panels) return tl::unexpected<Status>(std::move(panels.error()));
@@ -295,22 +303,24 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   const std::vector<ImageView> targets = targets_of(pictures, params);
   if (auto good = check_size(targets, params, mm_per_px); !good)
     return tl::unexpected<Status>(std::move(good.error()));
-  const parquetry::Request request = request_of(targets, params, mm_per_px);
-  auto matched = match(job, *panels, request, context);
+  context.stage("patches");
+  const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, mm_per_px);
+  if (!request) return tl::unexpected<Status>(request.error());
+  auto matched = match(job, *panels, *request, context);
   if (!matched) return tl::unexpected<Status>(std::move(matched.error()));
   const parquetry::Output& output = matched->output;
-  tell_missing(output, request.targets, params, mm_per_px, context);
+  tell_missing(output, request->targets, params, mm_per_px, context);
 
   Outcome outcome;
   outcome.done = job;
   outcome.state = std::move(matched->state);
   std::get<Params>(outcome.done->params).improve_tries = matched->tries;
   auto made = std::make_shared<Parquetry>();
-  made->pieces = parquetry::pieces_of(*panels, output.patches, output.placements);
+  made->pieces = parquetry::pieces_of(*panels, output.patches, output.placements, params);
   made->missing = parquetry::missing_of(output.patches, output.placements);
   made->params = params;
   made->panels = *std::move(panels);
-  for (const cv::Mat3b& target : request.targets) made->targets.push_back(target.size());
+  for (const cv::Mat3b& target : request->targets) made->targets.push_back(target.size());
   made->job_json = job_to_text(*outcome.done);
   outcome.sheet = sheet_of(*made);
   outcome.counts = {{"patches", static_cast<std::int64_t>(output.patches.size())},
@@ -371,28 +381,37 @@ std::vector<Question> parquet_questions() {
     const std::vector<ImageView> targets = targets_of(pictures, params);
     if (auto good = check_size(targets, params, parquetry::plan_mm_per_px(params)); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    return describe(parquetry::plan_of(sizes_of(targets), params), params);
+    const double mm_per_px = parquetry::plan_mm_per_px(params);
+    const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, mm_per_px);
+    if (!request) return tl::unexpected<Status>(request.error());
+    return describe(parquetry::plan_of(sizes_of(request->targets), request->patches, params, mm_per_px), params);
   };
   const auto forecast = [](const Job& job, const Pictures& pictures,
                            const RunContext& context) -> Result<std::string> {
     const auto& params = std::get<Params>(job.params);
     if (scans_of(pictures).empty()) return fail(StatusCode::kInvalidInput, "panel", "is missing, expected a picture");
-    if (auto named = check_names(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
+    if (auto named = check_inputs(job, pictures); !named) return tl::unexpected<Status>(std::move(named.error()));
     const auto panels = parquetry::take_in(scans_of(pictures), params, context);
     if (!panels) return tl::unexpected<Status>(panels.error());
     const std::vector<ImageView> targets = targets_of(pictures, params);
     if (auto good = check_size(targets, params, panels->front().mm_per_px); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    std::vector<cv::Mat3b> rgb;
-    for (const ImageView& target : targets) rgb.push_back(target.mat());
-    return describe(parquetry::forecast_of(rgb, *panels, params), *panels, params);
+    const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, panels->front().mm_per_px);
+    if (!request) return tl::unexpected<Status>(request.error());
+    return describe(parquetry::forecast_of(request->targets, request->patches, *panels, params), *panels, params);
   };
-  return {{"plan", "Tell how many pieces, how much wood and cutting it takes; needs no panel", {"target"}, plan},
+  return {{"plan",
+           "Tell how many pieces, how much wood and cutting it takes; needs no panel",
+           {"target", "segmentation"},
+           plan},
           {"masks",
            "Tell where wood and marks are found on the panels, a line of JSON each",
            {"panel", "mask"},
            describe_panels},
-          {"forecast", "Tell whether the panels suffice, and make nothing", {"target", "panel", "mask"}, forecast}};
+          {"forecast",
+           "Tell whether the panels suffice, and make nothing",
+           {"target", "segmentation", "panel", "mask"},
+           forecast}};
 }
 
 }  // namespace tessera

@@ -17,6 +17,7 @@ struct InputRole {
   std::string_view parameter{}, chosen{};
   bool many = false;     // any number of pictures, each with a name: the role "panel" has "panel-oak", "panel-walnut"
   bool numbers = false;  // pixels are numbers rather than colours: 16-bit grey comes as (0, high, low) byte
+  bool shapes = false;   // an SVG will do as well: read_shapes() makes the picture of it
 };
 
 // Something that can be asked of a job before it is run: `tessera parquet --plan`.

@@ -74,7 +74,7 @@ class Matcher::Search {
       bound_upper(y);
       for (const int x : found_)
         if (bounds(y)[x] <= coarse_limit()) {
-          visit(x, y, true);
+          if (wood_.has_room(index_, patch_.shape, {x, y})) visit(x, y, true);
           bounds(y)[x] = kNoRoom;
         }
     }

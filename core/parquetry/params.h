@@ -13,6 +13,8 @@ namespace tessera::parquetry {
 enum class Order { kSaliency, kCentre, kRows };
 enum class Sequence { kSequential, kInterleaved };
 enum class Side { kBack, kFront };
+enum class ThinParts { kRepair, kRefuse };
+enum class Enclosed { kSplit, kKeep };
 enum class Grain { kAny, kAligned, kDegrees };
 
 struct Params {
@@ -35,6 +37,10 @@ struct Params {
   double clearance_mm = 1;
   double min_width_mm = 5;
   Side side = Side::kBack;
+  int posterize = 0;
+  double largest_patch = 5;
+  ThinParts thin_parts = ThinParts::kRepair;
+  Enclosed enclosed = Enclosed::kSplit;
   int improve_tries = 0;
   double cut_speed = 20;
   std::string panels;
@@ -131,6 +137,29 @@ void visit(Visitor& v, Params& p) {
            {.key = "sequence", .help = "How several targets or copies take turns at the wood", .advanced = true},
            {{Sequence::kSequential, "sequential", "one after the other"},
             {Sequence::kInterleaved, "interleaved", "patch by patch, as if all were one"}});
+  v.integer(p.posterize, {.key = "posterize",
+                          .min = 0,
+                          .max = 16,
+                          .ui_min = 0,
+                          .ui_max = 8,
+                          .help = "How many tones the picture is reduced to, the regions of which are the patches; "
+                                  "0 lays a grid"});
+  v.number(p.largest_patch, {.key = "largestPatch",
+                             .min = 1,
+                             .max = 1000,
+                             .ui_min = 2,
+                             .ui_max = 20,
+                             .help = "Regions of posterize that are longer than this times patchMm are split",
+                             .advanced = true});
+  v.choice(p.thin_parts,
+           {.key = "thinParts",
+            .help = "What becomes of parts of a segmentation that are narrower than minWidthMm",
+            .advanced = true},
+           {{ThinParts::kRepair, "repair", "they go to the pieces beside them"},
+            {ThinParts::kRefuse, "refuse", "nothing is made, and a message tells where they are"}});
+  v.choice(p.enclosed, {.key = "enclosed", .help = "What becomes of pieces around others", .advanced = true},
+           {{Enclosed::kSplit, "split", "they are cut apart, so that none has a hole, which breaks easily"},
+            {Enclosed::kKeep, "keep", "they have holes, in which the others lie"}});
   v.integer(p.improve_tries, {.key = "improveTries",
                               .min = 0,
                               .max = 1e9,

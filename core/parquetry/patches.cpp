@@ -64,6 +64,8 @@ std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm
 
 std::vector<Patch> quarters(const Patch& patch, const Params& params, double mm_per_px) {
   const cv::Rect& box = patch.box;
+  if (patch.outline.outer.size() != 4 || !patch.outline.holes.empty() || cv::countNonZero(patch.mask) != box.area())
+    return {};
   if (std::min(box.width, box.height) / 2 < std::max(1.0, params.min_width_mm / mm_per_px)) return {};
   const std::vector<int> columns = {box.x, box.x + box.width / 2, box.x + box.width};
   const std::vector<int> rows = {box.y, box.y + box.height / 2, box.y + box.height};

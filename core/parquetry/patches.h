@@ -21,7 +21,8 @@ std::vector<int> even_cuts(int length, double wanted, double least);
 // They are fitted to the target evenly: no thin rest is left at its right and lower side.
 std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index = 0);
 
-// The four quarters of a rectangular patch, of the next level; empty where one would be narrower than minWidthMm.
+// The four quarters of a patch, of the next level; empty where one would be narrower than minWidthMm, or the patch is
+// no rectangle.
 std::vector<Patch> quarters(const Patch& patch, const Params& params, double mm_per_px);
 
 }  // namespace tessera::parquetry

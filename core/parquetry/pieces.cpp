@@ -8,17 +8,16 @@
 
 #include "tessera/base/portable_math.h"
 #include "tessera/geometry/inscribed.h"
+#include "tessera/geometry/narrow.h"
 #include "tessera/geometry/scan.h"
 
 namespace tessera::parquetry {
 namespace {
 
-constexpr double kPrecisionMm = 0.01;
-
 // Along which way brightness changes least: across the main axis of the gradients (structure tensor).
-double grain_of(const cv::Mat1b& grey, const Ring& ring) {
+double grain_of(const cv::Mat1b& grey, const Polygon& outline) {
   std::int64_t difference = 0, product = 0;  // sums of gx^2 - gy^2 and of 2 gx gy
-  each_run(ring, grey.cols, grey.rows, [&](int y, int begin, int end) {
+  each_run(outline, grey.cols, grey.rows, [&](int y, int begin, int end) {
     if (y < 1 || y + 1 >= grey.rows) return;
     for (int x = std::max(begin, 1); x < std::min(end, grey.cols - 1); ++x) {
       const int gx = grey(y, x + 1) - grey(y, x - 1), gy = grey(y + 1, x) - grey(y - 1, x);
@@ -27,6 +26,13 @@ double grain_of(const cv::Mat1b& grey, const Ring& ring) {
     }
   });
   return 90 + atan2_portable(static_cast<double>(product), static_cast<double>(difference)) * 90 / kPi;
+}
+
+// All in mm.
+double least_width(const Polygon& outline, double necks_below) {
+  constexpr double kPrecision = 0.01, kNeckPrecision = 0.03;
+  return std::min(2 * largest_inscribed(outline, kPrecision).radius,
+                  narrowest_neck(outline, necks_below, fair_precision(outline, kNeckPrecision)).width);
 }
 
 Polygon scaled(const Polygon& outline, double scale) {
@@ -70,7 +76,7 @@ std::vector<std::string> names_of(const std::vector<Patch>& patches) {
 }
 
 std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vector<Patch>& patches,
-                                const std::vector<Placement>& placements) {
+                                const std::vector<Placement>& placements, const Params& params) {
   std::vector<cv::Mat1b> greys(panels.size());
   for (std::size_t i = 0; i < panels.size(); ++i) cv::cvtColor(panels[i].scan, greys[i], cv::COLOR_RGB2GRAY);
   std::vector<const Placement*> placed(patches.size(), nullptr);
@@ -91,10 +97,10 @@ std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vec
                    .turn_deg = placement.turn_deg,
                    .cost = placement.cost};
     const double mm = panels[piece.panel].mm_per_px;
-    piece.centroid_mm = mm * centroid(piece.on_panel.outer);
+    piece.centroid_mm = mm * centroid_with_holes(piece.on_panel);
     piece.area_mm2 = mm * mm * area(piece.on_panel);
-    piece.min_width_mm = 2 * largest_inscribed(scaled(piece.on_panel, mm), kPrecisionMm).radius;
-    const double grain = grain_of(greys[piece.panel], piece.on_panel.outer) + piece.turn_deg;
+    piece.min_width_mm = least_width(scaled(piece.on_panel, mm), params.min_width_mm);
+    const double grain = grain_of(greys[piece.panel], piece.on_panel) + piece.turn_deg;
     piece.grain_deg = grain - 180 * std::floor(grain / 180);
     pieces.push_back(std::move(piece));
   }

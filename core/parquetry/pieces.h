@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tessera/parquetry/panel.h"
+#include "tessera/parquetry/params.h"
 #include "tessera/parquetry/patch.h"
 
 namespace tessera::parquetry {
@@ -19,7 +20,7 @@ struct CutPiece {
   Point centroid_mm{};      // of on_panel
   double turn_deg = 0;      // clockwise from the panel to the finished piece
   double area_mm2 = 0;
-  double min_width_mm = 0;  // diameter of its roomiest place
+  double min_width_mm = 0;  // diameter of its roomiest place; or its narrowest neck, if that is below minWidthMm
   std::int64_t cost = 0;
   double grain_deg = 0;  // of the finished piece's grain, from x towards y, [0, 180)
 };
@@ -39,7 +40,7 @@ std::vector<std::string> names_of(const std::vector<Patch>& patches);
 
 // A piece a placement that has a panel, in the patches' order.
 std::vector<CutPiece> pieces_of(const std::vector<Panel>& panels, const std::vector<Patch>& patches,
-                                const std::vector<Placement>& placements);
+                                const std::vector<Placement>& placements, const Params& params = {});
 
 // One a placement that has none.
 std::vector<MissingPiece> missing_of(const std::vector<Patch>& patches, const std::vector<Placement>& placements);

@@ -19,21 +19,10 @@ constexpr double kPacked = 0.8;  // of the free wood, what turned pieces can be 
 
 int tone_of(int level) { return level * kTones / 256; }
 
-void add(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px, Plan& plan) {
-  ++plan.targets;
-  plan.pieces += static_cast<int>(patches.size());
-  plan.width_mm = size.width * mm_per_px;
-  plan.height_mm = size.height * mm_per_px;
-  const double around = params.kerf_mm + params.clearance_mm;
-  for (const Patch& patch : patches) {
-    plan.rows = std::max(plan.rows, patch.row + 1);
-    plan.columns = std::max(plan.columns, patch.column + 1);
-    const double width = patch.box.width * mm_per_px, height = patch.box.height * mm_per_px;
-    plan.wood_mm2 += width * height;
-    plan.taken_mm2 += (width + around) * (height + around);
-    plan.cut_mm += 2 * (width + height + 2 * params.kerf_mm);
-  }
-  plan.minutes = plan.cut_mm / params.cut_speed / 60;
+double around(const Patch& patch) {
+  double length = perimeter(patch.outline.outer);
+  for (const Ring& hole : patch.outline.holes) length += perimeter(hole);
+  return length;
 }
 
 // Means over the area of a patch.
@@ -44,10 +33,25 @@ cv::Mat1b averaged(const cv::Mat1b& levels, const Params& params, double mm_per_
   return means;
 }
 
+std::int64_t mean_level(const cv::Mat1b& levels, const cv::Mat1b& mask, const Tones& tones) {
+  std::int64_t sum = 0, count = 0;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (mask(y, x) != 0) sum += tones[levels(y, x)], ++count;
+  return sum / std::max<std::int64_t>(1, count);
+}
+
 // How many times the wood is needed, at most 1 where it suffices.
 double shortage(double needed, double free) { return free > 0 ? needed / (kPacked * free) : needed > 0 ? 1e9 : 0; }
 
 }  // namespace
+
+double taken_mm2(const Patch& patch, const Params& params, double mm_per_px) {
+  const double margin = params.kerf_mm + params.clearance_mm;
+  const Ring& outer = patch.outline.outer;
+  return mm_per_px * mm_per_px * std::abs(signed_area(outer)) + mm_per_px * perimeter(outer) / 2 * margin +
+         margin * margin;
+}
 
 double plan_mm_per_px(const Params& params) {
   return params.resolution_dpi > 0 ? 25.4 / params.resolution_dpi : kPlanMmPerPx;
@@ -55,23 +59,33 @@ double plan_mm_per_px(const Params& params) {
 
 const char* tone_name(int level) { return kToneNames[tone_of(level)]; }
 
-Plan plan_of(const std::vector<cv::Size>& targets, const Params& params) {
-  const double mm_per_px = plan_mm_per_px(params);
+Plan plan_of(const std::vector<cv::Size>& targets, const std::vector<Patch>& patches, const Params& params,
+             double mm_per_px) {
   Plan plan;
-  for (const cv::Size& target : targets) {
-    const double scale = params.image_size_mm / mm_per_px / std::min(target.width, target.height);
-    const cv::Size size(static_cast<int>(std::lround(target.width * scale)),
-                        static_cast<int>(std::lround(target.height * scale)));
-    add(grid_patches(size, params, mm_per_px), size, params, mm_per_px, plan);
+  plan.targets = static_cast<int>(targets.size());
+  plan.pieces = static_cast<int>(patches.size());
+  plan.width_mm = targets.front().width * mm_per_px;
+  plan.height_mm = targets.front().height * mm_per_px;
+  for (const Patch& patch : patches) {
+    plan.rows = std::max(plan.rows, patch.row + 1);
+    plan.columns = std::max(plan.columns, patch.column + 1);
+    plan.wood_mm2 += mm_per_px * mm_per_px * area(patch.outline);
+    plan.taken_mm2 += taken_mm2(patch, params, mm_per_px);
+    plan.cut_mm += mm_per_px * around(patch) + 4 * params.kerf_mm;
   }
+  plan.minutes = plan.cut_mm / params.cut_speed / 60;
   return plan;
 }
 
 double Forecast::free() const { return std::accumulate(free_mm2.begin(), free_mm2.end(), 0.0); }
 
-Forecast forecast_of(const std::vector<cv::Mat3b>& targets, const std::vector<Panel>& panels, const Params& params) {
+Forecast forecast_of(const std::vector<cv::Mat3b>& targets, const std::vector<Patch>& patches,
+                     const std::vector<Panel>& panels, const Params& params) {
   const double mm_per_px = panels.front().mm_per_px, mm2 = mm_per_px * mm_per_px;
+  std::vector<cv::Size> sizes;
+  for (const cv::Mat3b& target : targets) sizes.push_back(target.size());
   Forecast forecast;
+  forecast.plan = plan_of(sizes, patches, params, mm_per_px);
   for (const char* name : kToneNames) forecast.tones.push_back({name});
   Histogram wood{};
   for (const Panel& panel : panels) {
@@ -84,28 +98,26 @@ Forecast forecast_of(const std::vector<cv::Mat3b>& targets, const std::vector<Pa
       forecast.tones[static_cast<std::size_t>(tone_of(level))].free_mm2 +=
           static_cast<double>(coarse[static_cast<std::size_t>(level)]) * mm2;
   }
-  const double around = params.kerf_mm + params.clearance_mm;
+  std::vector<cv::Mat1b> levels;
+  std::vector<Tones> tones;
   for (const cv::Mat3b& target : targets) {
-    const cv::Mat1b levels = intensity_of(at_resolution(target, params, mm_per_px));
-    const std::vector<Patch> patches = grid_patches(levels.size(), params, mm_per_px);
-    add(patches, levels.size(), params, mm_per_px, forecast.plan);
-    const Tones tones = matched_tones(histogram_of(levels, {}), wood, params.weight_histogram);
-    for (const Patch& patch : patches) {
-      std::int64_t sum = 0;
-      for (const std::uint8_t level : cv::Mat1b(levels(patch.box).clone())) sum += tones[level];
-      const int tone = tone_of(static_cast<int>(sum / patch.box.area()));
-      forecast.tones[static_cast<std::size_t>(tone)].needed_mm2 +=
-          (patch.box.width * mm_per_px + around) * (patch.box.height * mm_per_px + around);
-    }
+    levels.push_back(intensity_of(target));
+    tones.push_back(matched_tones(histogram_of(levels.back(), {}), wood, params.weight_histogram));
+  }
+  for (const Patch& patch : patches) {
+    const cv::Mat1b own = levels[patch.target](patch.box);
+    const int tone = tone_of(static_cast<int>(mean_level(own, patch.mask, tones[patch.target])));
+    forecast.tones[static_cast<std::size_t>(tone)].needed_mm2 += taken_mm2(patch, params, mm_per_px);
   }
   return forecast;
 }
 
 std::string describe(const Plan& plan, const Params& params) {
-  const std::string what = plan.targets > 1
-                               ? fmt::format("{} pieces of {} targets", plan.pieces, plan.targets)
-                               : fmt::format("{} pieces in {} rows of {}, {:.1f} x {:.1f} mm", plan.pieces, plan.rows,
-                                             plan.columns, plan.width_mm, plan.height_mm);
+  const bool is_grid = plan.pieces == plan.rows * plan.columns;
+  const std::string rows = is_grid ? fmt::format(" in {} rows of {}", plan.rows, plan.columns) : std::string();
+  const std::string what = plan.targets > 1 ? fmt::format("{} pieces of {} targets", plan.pieces, plan.targets)
+                                            : fmt::format("{} pieces{}, {:.1f} x {:.1f} mm", plan.pieces, rows,
+                                                          plan.width_mm, plan.height_mm);
   return fmt::format(
       "{}\n"
       "wood: {:.0f} cm2, with kerf and clearance {:.0f} cm2\n"

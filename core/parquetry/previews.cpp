@@ -46,7 +46,7 @@ Raster finished_preview(const std::vector<Panel>& panels, const std::vector<CutP
     const cv::Mat3b& scan = panels[piece.panel].scan;
     const SinCos turn = sin_cos(piece.turn_deg * kPi / 180);
     const Point from = piece.finished.outer.front(), to = piece.on_panel.outer.front();
-    each_run(piece.finished.outer, size.width, size.height, [&](int y, int begin, int end) {
+    each_run(piece.finished, size.width, size.height, [&](int y, int begin, int end) {
       for (int x = begin; x < end; ++x) {
         const Point p = Point{x + 0.5, y + 0.5} - from;
         picture(y, x) = sample(scan, to + Point{turn.cos * p.x + turn.sin * p.y, turn.cos * p.y - turn.sin * p.x});

@@ -1,6 +1,8 @@
 // What of a patch decides where it finds room.
 #pragma once
 
+#include <vector>
+
 #include "tessera/parquetry/frames.h"
 #include "tessera/parquetry/patch.h"
 
@@ -15,6 +17,14 @@ struct Shape {
   double reach = 0;  // of `cut` from `middle`, px
   cv::Point deep;    // a place inside, from the top left corner of the box, in groups: the farthest from the sides
   double depth = 0;  // its distance to the sides of `cut`, px; 0 where no such place is inside
+
+  struct Place {
+    cv::Point group;
+    double depth;  // > 0
+  };
+  // Several such places, the deepest first, the next as far as can be from all before: where they have no room, the
+  // shape has none, be it long or bent. None where none is inside.
+  std::vector<Place> places;
 };
 
 // `half_kerf`: px, >= 0.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tessera/geometry/scan.h"
 #include "tessera/parquetry/shape.h"
 #include "tessera/parquetry/spacing.h"
 
@@ -12,6 +13,9 @@ namespace tessera::parquetry {
 namespace {
 
 constexpr double kHalfDiagonal = 0.70710678118654757;  // of a pixel
+
+// Positions of a group are 1.5 px across and down from its middle at most.
+constexpr double kGroupReach = 1.5 * 1.4142135623730951 + 1e-6;
 
 std::uint8_t rounded_up(double distance) { return static_cast<std::uint8_t>(std::min(255.0, std::ceil(distance))); }
 
@@ -64,6 +68,10 @@ void Wood::measure_depth(const Panel& panel, Sheet& sheet) const {
   cv::Mat1f depth;
   cv::distanceTransform(framed, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   sheet.depth = depth(cv::Rect({1, 1}, sheet.size)).clone();
+  sheet.missing = cv::Mat1i(sheet.size.height, sheet.size.width + 1, 0);
+  for (int y = 0; y < sheet.size.height; ++y)
+    for (int x = 0; x < sheet.size.width; ++x)
+      sheet.missing(y, x + 1) = sheet.missing(y, x) + (panel.mask(y, x) == 0 ? 1 : 0);
   sheet.columns = sheet.size.width / kBin + 1;
   sheet.rows = sheet.size.height / kBin + 1;
   sheet.rims.resize(static_cast<std::size_t>(sheet.columns) * sheet.rows);
@@ -88,6 +96,35 @@ void Wood::each_bin(const Sheet& sheet, const Ring& ring, double margin, const V
     for (int x = left; x <= right; ++x) visit(y * sheet.columns + x);
 }
 
+// A place is within half a diagonal of its pixel's middle, the panel's side half a pixel nearer than the middles
+// beyond.
+Wood::Way Wood::along(const Sheet& sheet, const Ring& cut, double apart) const {
+  constexpr double kStep = 2;
+  const auto pixel = [](double v, int size) { return std::clamp(static_cast<int>(v), 0, size - 1); };
+  bool sure = true;
+  Point a = cut.back();
+  for (const Point b : cut) {
+    const double side = length(b - a);
+    for (double at = 0; at < side;) {
+      const Point p = a + (at / side) * (b - a);
+      const double depth = sheet.depth(pixel(p.y, sheet.size.height), pixel(p.x, sheet.size.width));
+      if (depth < clearance_ + 0.5 - kHalfDiagonal - 1e-3) return Way::kBlocked;
+      const double room = depth - kHalfDiagonal - apart - 1e-3;
+      if (room < kStep) sure = false;  // what lies between is not known
+      at += std::max(room, kStep);
+    }
+    a = b;
+  }
+  return sure ? Way::kFree : Way::kUnsure;
+}
+
+bool Wood::is_wood_inside(const Sheet& sheet, const Ring& cut) const {
+  bool wood = true;
+  each_run(cut, sheet.size.width, sheet.size.height,
+           [&](int y, int begin, int end) { wood = wood && sheet.missing(y, end) == sheet.missing(y, begin); });
+  return wood;
+}
+
 bool Wood::on_wood(int panel, const Ring& cut) const {
   const Sheet& sheet = sheets_[panel];
   const Bounds box = bounds_of(cut);
@@ -103,6 +140,8 @@ bool Wood::on_wood(int panel, const Ring& cut) const {
   for (const Point p : cut) reach = std::max(reach, length(p - middle));
   if (sheet.depth(pixel(middle.y, sheet.size.height), pixel(middle.x, sheet.size.width)) > reach + apart + 1)
     return true;
+  const Way way = along(sheet, cut, apart);
+  if (way != Way::kUnsure) return way == Way::kFree && is_wood_inside(sheet, cut);
   bool free = true;
   each_bin(sheet, cut, apart, [&](int bin) {
     if (!free) return;
@@ -129,6 +168,17 @@ std::vector<int> Wood::in_the_way(int panel, const Ring& cut) const {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+bool Wood::has_room(int view, const Shape& shape, cv::Point group) const {
+  const std::vector<Span>& groups = views_[view].groups;
+  for (const Shape::Place& place : shape.places) {
+    const cv::Point at = group + place.group;
+    if (at.y >= static_cast<int>(groups.size()) || at.x < groups[at.y].begin || at.x >= groups[at.y].end ||
+        *room_[view].at(at.y, at.x) < std::min(255.0, place.depth + clearance_ - kGroupReach))
+      return false;
+  }
+  return true;
 }
 
 bool Wood::fits(int panel, const Ring& cut) const {

@@ -10,6 +10,7 @@
 #include "tessera/geometry/polygon.h"
 #include "tessera/parquetry/frames.h"
 #include "tessera/parquetry/panel.h"
+#include "tessera/parquetry/shape.h"
 
 namespace tessera::parquetry {
 
@@ -32,6 +33,8 @@ class Wood {
 
   double clearance() const { return clearance_; }
   bool fits(int panel, const Ring& cut) const;
+  // Whether the shape may fit somewhere in a group of positions, by the room at its places: false where it cannot.
+  bool has_room(int view, const Shape& shape, cv::Point group) const;
   // The cuts that are nearer than the clearance, in ascending order; the masks do not matter here.
   std::vector<int> in_the_way(int panel, const Ring& cut) const;
   bool on_wood(int panel, const Ring& cut) const;  // what has been cut does not matter here
@@ -53,11 +56,17 @@ class Wood {
     cv::Size size;
     cv::Mat1b mask;
     cv::Mat1f depth;                           // from a pixel's middle to that of the next that is no wood
+    cv::Mat1i missing;                         // of each row, how many pixels left of a column are no wood
     int columns = 0, rows = 0;                 // of bins
     std::vector<std::vector<cv::Point>> rims;  // of each bin: pixels that are no wood beside some that are
     std::vector<std::vector<int>> cuts;        // of each bin: cuts whose bounds touch it, in ascending order
   };
   static constexpr int kBin = 64;  // px
+
+  // Whether all sides are at least that far from the middles of pixels that are no wood, by depths of pixels alone.
+  enum class Way { kFree, kBlocked, kUnsure };
+  Way along(const Sheet& sheet, const Ring& cut, double apart) const;
+  bool is_wood_inside(const Sheet& sheet, const Ring& cut) const;
 
   void measure_depth(const Panel& panel, Sheet& sheet) const;
   template <class Visit>

@@ -142,6 +142,51 @@ CellGraph trace_cells(const LabelMap& labels) {
   return graph;
 }
 
+CellGraph trace_cells_and_islands(const LabelMap& labels, int cells) {
+  CellGraph graph = trace_cells(labels);
+  cv::Mat1b met(labels.rows + 1, labels.cols + 1, static_cast<std::uint8_t>(0));  // corners on arcs
+  for (int k = 0; k < static_cast<int>(graph.arcs.size()); ++k)
+    for (const cv::Point corner : walk_arc(graph, labels, k)) met(corner) = 1;
+  std::vector<bool> seen(cells, false);
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      const int cell = labels(y, x);
+      if (seen[cell]) continue;
+      seen[cell] = true;
+      if (met(y, x) != 0) continue;
+      // Around the corner: the other cell, and in the south east this one. Clockwise from there and back.
+      constexpr int kEast = 0, kSouth = 1;
+      const int junction = static_cast<int>(graph.junctions.size()), k = static_cast<int>(graph.arcs.size());
+      graph.junctions.push_back({x, y, around(labels, x, y), {2 * k, 2 * k + 1, -1, -1}});
+      Arc arc{junction, junction, kEast, kSouth, labels(y - 1, x), cell, 0};
+      int heading = kEast;
+      cv::Point at(x, y);
+      do {
+        at += cv::Point(kStepX[heading], kStepY[heading]);
+        ++arc.length;
+        heading = turn(around(labels, at.x, at.y), heading);
+      } while (at.x != x || at.y != y);
+      graph.arcs.push_back(arc);
+    }
+  }
+  return graph;
+}
+
+std::vector<std::vector<std::vector<int>>> cell_walks(const CellGraph& graph, int cells) {
+  std::vector<std::vector<std::vector<int>>> walks(cells);
+  std::vector<char> seen(2 * graph.arcs.size(), 0);
+  for (int start = 0; start < static_cast<int>(seen.size()); ++start) {
+    const int label = graph.label_right(start);
+    if (seen[start] || label < 0) continue;
+    std::vector<int>& walk = walks[label].emplace_back();
+    for (int h = start; !seen[h]; h = graph.next(h)) {
+      seen[h] = 1;
+      walk.push_back(h);
+    }
+  }
+  return walks;
+}
+
 std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, int arc) {
   const Arc& way = graph.arcs[arc];
   const Junction& from = graph.junctions[way.from];

@@ -46,8 +46,17 @@ struct CellGraph {
 // `labels` are connected cells without unlabelled pixels (connect_cells).
 CellGraph trace_cells(const LabelMap& labels);
 
+// The same, and the boundaries that meet no junction, of cells all around which is one other: each is an arc from a
+// junction of its own, at the corner of the cell's first pixel in reading order, back to there. Such junctions come
+// last. `cells`: labels are below.
+CellGraph trace_cells_and_islands(const LabelMap& labels, int cells);
+
 // The pixel corners along an arc, both junctions included.
 std::vector<cv::Point> walk_arc(const CellGraph& graph, const LabelMap& labels, int arc);
+
+// Half-edges along all of the boundary of each cell, in closed walks: the cell on the right, so that the walk around
+// a cell is clockwise on the screen and those around what it encloses are not. By first half-edge; walks[cell].
+std::vector<std::vector<std::vector<int>>> cell_walks(const CellGraph& graph, int cells);
 
 // Half-edges around each cell, clockwise on the screen; none where a cell meets no junction.
 struct CellRings {

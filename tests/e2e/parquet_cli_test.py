@@ -243,6 +243,58 @@ class ParquetTest(CliTest):
         for path in self.paths('out/panel-oak.cut.svg', 'cut').values():
             self.assertLess(max(float(v) for v in re.findall(r'-?[\d.]+', path)[::2]), 200 * 25.4 / 60 - 1)
 
+    def test_a_label_picture_gives_the_shapes(self):
+        # A disc, a thin line beside it, and two halves.
+        label = lambda x, y: 0 if (x - 30) ** 2 + (y - 30) ** 2 < 200 else 200 if x == 40 else 90 if y < 30 else 150
+        self.put('shapes.png', png(60, 60, label))
+        flags = ['--panel', 'board.png,name=oak', '--segmentation', 'shapes.png']
+        plan = self.parquet(*flags, '--plan').stdout.decode()
+        done = self.parquet(*flags, '-o', 'out')
+        rows = self.rows()
+        self.assertIn(f'{len(rows)} pieces, ', plan)
+        self.assertIn('suffices', self.parquet(*flags, '--forecast').stdout.decode())
+        self.assertEqual(done.stderr, b'')
+        self.assertAlmostEqual(sum(float(row['area_mm2']) for row in rows), 60 * 60, delta=60)
+        self.assertGreaterEqual(min(float(row['min_width_mm']) for row in rows), 4.9)
+        self.assertEqual(len({(row['row'], row['column']) for row in rows}), len(rows))
+        self.assertEqual(set(self.paths('out/panel-oak.cut.svg', 'cut')), {f"cut-{row['id']}" for row in rows})
+        for path in self.paths('out/panel-oak.cut.svg', 'cut').values():
+            self.assertRegex(path, r'^M[^MZ]*Z$')
+        self.succeed('run', 'out/job.json', '-o', 'again')
+        self.assertEqual(self.files('out'), self.files('again'))
+        self.fail_with(3, 'parquet', 'target.png', *SMALL, *flags, '--thin-parts', 'refuse', '-o', 'no',
+                       says=['segmentation', 'only 0.8 mm wide at', 'minWidthMm'])
+        self.fail_with(2, 'parquet', 'target.png', *SMALL, *flags, '--posterize', 3, '-o', 'no', says=['posterize'])
+        self.put('wide.png', png(80, 60, label))
+        self.fail_with(3, 'parquet', 'target.png', *SMALL, *flags[:-1], 'wide.png', '-o', 'no', says=['80 x 60'])
+
+    def test_holes_are_kept_if_wanted(self):
+        self.put('shapes.png', png(60, 60, lambda x, y: 9 * ((x - 30) ** 2 + (y - 30) ** 2 < 200)))
+        self.parquet('--panel', 'board.png,name=oak', '--segmentation', 'shapes.png', '--enclosed', 'keep', '-o', 'out')
+        self.assertEqual(len(self.rows()), 2)
+        cuts = self.paths('out/panel-oak.cut.svg', 'cut')
+        self.assertEqual(sorted(path.count('M') for path in cuts.values()), [1, 2])
+
+    def test_an_svg_gives_the_shapes(self):
+        self.put('shapes.svg', b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">'
+                               b'<path d="M0 0h50v100h-50z"/><circle cx="100" cy="50" r="30"/></svg>')
+        self.parquet('--panel', 'board.png,name=oak', '--segmentation', 'shapes.svg', '-o', 'out')
+        areas = sorted(float(row['area_mm2']) for row in self.rows())
+        self.assertEqual(len(areas), 3)
+        self.assertAlmostEqual(areas[0], 3.14159 * 18 * 18 / 2, delta=25)
+        self.assertAlmostEqual(areas[2], 1800, delta=20)
+        self.succeed('run', 'out/job.json', '-o', 'again')
+        self.assertEqual(self.files('out'), self.files('again'))
+        self.put('open.svg', b'<svg viewBox="0 0 1 1"><path d="M0 0L1 0L1 1"/></svg>')
+        self.fail_with(3, 'parquet', 'target.png', *SMALL, '--panel', 'board.png', '--segmentation', 'open.svg', '-o', 'no',
+                       says=['open.svg', 'closed'])
+
+    def test_tones_give_the_shapes(self):
+        self.parquet('--panel', 'board.png,name=oak', '--posterize', 2, '-o', 'out')
+        self.assertGreater(len(self.rows()), 1)
+        self.parquet('--panel', 'board.png,name=oak', '--posterize', 2, '--largest-patch', 2, '-o', 'more', '--threads', 1)
+        self.assertGreater(len(self.rows('more')), len(self.rows()))
+
     def test_what_is_wrong_is_said(self):
         panel = ['--panel', 'board.png,name=oak']
         self.fail_with(2, 'parquet', 'target.png', '-o', 'out', says=['panel', '--panel SCAN'])

@@ -4,11 +4,19 @@
 #include <gtest/gtest.h>
 
 #include "scans.h"
+#include "tessera/parquetry/patches.h"
 
 namespace tessera::parquetry {
 namespace {
 
 using ::testing::HasSubstr;
+
+Plan plan_of_grids(const std::vector<cv::Size>& targets, const Params& params) {
+  std::vector<Patch> patches;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    for (const Patch& patch : grid_patches(targets[i], params, 0.25, static_cast<int>(i))) patches.push_back(patch);
+  return plan_of(targets, patches, params, 0.25);
+}
 
 TEST(Plan, ClosedForm) {
   Params params;
@@ -17,7 +25,7 @@ TEST(Plan, ClosedForm) {
   params.kerf_mm = 0.2;
   params.clearance_mm = 1;
   params.cut_speed = 10;
-  const Plan plan = plan_of({{600, 400}}, params);
+  const Plan plan = plan_of_grids({{720, 480}}, params);
   EXPECT_EQ(plan.rows, 12);
   EXPECT_EQ(plan.columns, 18);
   EXPECT_EQ(plan.pieces, 216);
@@ -31,8 +39,8 @@ TEST(Plan, ClosedForm) {
 TEST(Plan, OfSeveralTargetsIsTheirSum) {
   Params params;
   params.image_size_mm = 120;
-  const Plan first = plan_of({{600, 400}}, params), second = plan_of({{300, 300}}, params);
-  const Plan both = plan_of({{600, 400}, {300, 300}}, params);
+  const Plan first = plan_of_grids({{720, 480}}, params), second = plan_of_grids({{480, 480}}, params);
+  const Plan both = plan_of_grids({{720, 480}, {480, 480}}, params);
   EXPECT_EQ(both.pieces, first.pieces + second.pieces);
   EXPECT_NEAR(both.taken_mm2, first.taken_mm2 + second.taken_mm2, 1e-6);
   EXPECT_NEAR(both.minutes, first.minutes + second.minutes, 1e-9);
@@ -56,7 +64,9 @@ TEST(Forecast, ComparesTonesWithTheWood) {
   cv::Mat3b target(200, 200, cv::Vec3b(250, 250, 250));
   target(cv::Rect(0, 0, 100, 200)).setTo(cv::Vec3b(5, 5, 5));
   const std::vector<Panel> panels = {plain_panel(300, 240), plain_panel(100, 10)};
-  const Forecast forecast = forecast_of({target}, panels, params);
+  const cv::Mat3b sized = at_resolution(target, params, 0.5);
+  const std::vector<Patch> patches = grid_patches(sized.size(), params, 0.5);
+  const Forecast forecast = forecast_of({sized}, patches, panels, params);
   EXPECT_NEAR(forecast.free_mm2[0], 150 * 150, 1e-6);
   EXPECT_NEAR(forecast.tones.back().free_mm2, 150 * 150, 1e-6);
   EXPECT_NEAR(forecast.tones.front().free_mm2, 50 * 50, 1e-6);
@@ -65,7 +75,7 @@ TEST(Forecast, ComparesTonesWithTheWood) {
   const std::string text = describe(forecast, panels, params);
   EXPECT_THAT(text, HasSubstr("The wood suffices"));
   EXPECT_THAT(text, HasSubstr("Of dark wood some"));
-  EXPECT_THAT(describe(forecast_of({target}, {plain_panel(100, 240)}, params), {panels[1]}, params),
+  EXPECT_THAT(describe(forecast_of({sized}, patches, {plain_panel(100, 240)}, params), {panels[1]}, params),
               HasSubstr("does not suffice"));
 }
 

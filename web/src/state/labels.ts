@@ -6,7 +6,9 @@ import { client } from './page';
 import { runSoon } from './runner';
 import { alertWith, byLabels, entry, fields, known, kByLabels, kSegmenter, labels } from './store';
 
-export const takesLabels = () => known.value?.inputs.some(({ name }) => name === kLabels) ?? false;
+export const takesLabels = () =>
+  (known.value?.inputs.some(({ name }) => name === kLabels) ?? false) &&
+  fields.value.some(({ key }) => key === kSegmenter);
 
 /** The run follows; an alert says where it cannot be used, and everything stays as it was. */
 export async function useLabels(file: File): Promise<void> {
