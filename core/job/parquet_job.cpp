@@ -234,6 +234,9 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
                     {"panels", static_cast<std::int64_t>(made->panels.size())}};
   outcome.metrics = {{"cost", static_cast<double>(output->cost)},
                      {"greedy_cost", static_cast<double>(output->greedy_cost)},
+                     {"reconstruction_cost", static_cast<double>(output->reconstruction_cost)},
+                     {"straight_cost", static_cast<double>(output->straight_cost)},
+                     {"seams_moved", output->seams_moved},
                      {"cost_per_px", static_cast<double>(output->cost) / static_cast<double>(made->size.area())}};
   add_wood(*made, outcome);
   outcome.folder = [made] { return parquet_folder(*made); };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 
 namespace tessera::parquetry {
 namespace {
@@ -232,6 +233,14 @@ std::int64_t Matcher::cost(const Template& patch, int view, cv::Point at, std::i
   const Rows& features = frames_[view].features;
   return squared_differences(patch.pixels, features.data(), features.starts() + at.y,
                              std::ptrdiff_t{at.x} * code_.channels, limit);
+}
+
+cv::Mat Matcher::features(int view, cv::Rect box) const {
+  cv::Mat features(box.size(), CV_8UC(code_.channels));
+  for (int y = 0; y < box.height; ++y)
+    std::memcpy(features.ptr(y), frames_[view].features.at(box.y + y, box.x),
+                static_cast<std::size_t>(box.width) * code_.channels);
+  return features;
 }
 
 int Matcher::level_of(int side) const {

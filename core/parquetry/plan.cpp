@@ -19,6 +19,7 @@ constexpr double kPacked = 0.8;  // of the free wood, what turned pieces can be 
 
 int tone_of(int level) { return level * kTones / 256; }
 
+// Patches that overlap take more wood than their cells.
 Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& params, double mm_per_px) {
   Plan plan;
   plan.pieces = static_cast<int>(patches.size());
@@ -28,11 +29,10 @@ Plan plan_of(const std::vector<Patch>& patches, cv::Size size, const Params& par
   for (const Patch& patch : patches) {
     plan.rows = std::max(plan.rows, patch.row + 1);
     plan.columns = std::max(plan.columns, patch.column + 1);
-    const double width = patch.box.width * mm_per_px, height = patch.box.height * mm_per_px;
-    plan.wood_mm2 += width * height;
-    plan.taken_mm2 += (width + around) * (height + around);
-    plan.cut_mm += 2 * (width + height + 2 * params.kerf_mm);
+    plan.taken_mm2 += (patch.box.width * mm_per_px + around) * (patch.box.height * mm_per_px + around);
   }
+  plan.wood_mm2 = plan.width_mm * plan.height_mm;
+  plan.cut_mm = 2 * (plan.rows * plan.width_mm + plan.columns * plan.height_mm) + 4 * plan.pieces * params.kerf_mm;
   plan.minutes = plan.cut_mm / params.cut_speed / 60;
   return plan;
 }

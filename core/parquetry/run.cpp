@@ -6,14 +6,19 @@
 #include <array>
 #include <set>
 
+#include "tessera/geometry/scan.h"
 #include "tessera/parquetry/features.h"
 #include "tessera/parquetry/improve.h"
 #include "tessera/parquetry/order.h"
+#include "tessera/parquetry/patches.h"
+#include "tessera/parquetry/seam_curves.h"
+#include "tessera/parquetry/widen.h"
 
 namespace tessera::parquetry {
 namespace {
 
 constexpr double kMostBytes = 3.6e9;
+constexpr double kSeamsApartMm = 0.75;
 
 // Of a turned panel: features, fine moments and, per block side, coarse ones; bounds and room.
 double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
@@ -24,6 +29,17 @@ double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
   const double views = static_cast<double>(allowed_rotations(params).size());
   constexpr double kBoxes = 1.7;  // a turned panel's box to the panel, on average; some rows have bytes for all of it
   return views * pixels * (channels + (8 * channels + sides * 4 * channels + 3 + 2 * kBoxes) / group);
+}
+
+bool are_of_the_grid(const Request& request, const Params& params, double mm_per_px) {
+  std::size_t next = 0;
+  for (std::size_t target = 0; target < request.targets.size(); ++target)
+    for (const Patch& patch :
+         grid_patches(request.targets[target].size(), params, mm_per_px, static_cast<int>(target)))
+      if (next == request.patches.size() || request.patches[next].target != patch.target ||
+          request.patches[next].box != patch.box || request.patches[next++].outline.outer != patch.outline.outer)
+        return false;
+  return next == request.patches.size();
 }
 
 Result<void> check(const std::vector<Panel>& panels, const Request& request, const Params& params) {
@@ -39,6 +55,8 @@ Result<void> check(const std::vector<Panel>& panels, const Request& request, con
                 fmt::format("the panels in all their rotations would take {:.1f} GB; expected at most {:.1f}: fewer "
                             "rotations, panels or dpi",
                             bytes / 1e9, kMostBytes / 1e9));
+  if (params.seams != SeamKind::kNone && !are_of_the_grid(request, params, panels.front().mm_per_px))
+    return fail(StatusCode::kInvalidParameter, "seams", "join patches of the grid alone; expected none for others");
   return {};
 }
 
@@ -95,6 +113,52 @@ Result<std::vector<Laid>> lay_all(Workshop& workshop, const Request& request, co
   return pieces;
 }
 
+// The pieces of a target, which are those of the grid.
+Reconstruction reconstruction_of(const Workshop& workshop, const Output& output, int target) {
+  Reconstruction reconstruction;
+  reconstruction.target = workshop.features_of_target(target);
+  reconstruction.grid = grid_of(reconstruction.target.size(), workshop.params(), workshop.mm_per_px());
+  for (std::size_t i = 0; i < output.patches.size(); ++i)
+    if (output.patches[i].target == target)
+      reconstruction.pieces.push_back(
+          {output.patches[i].box, workshop.features_of_wood({output.patches[i], output.placements[i]})});
+  return reconstruction;
+}
+
+std::int64_t cost_within(const Ring& outline, const Reconstruction& reconstruction,
+                         const Reconstruction::Piece& piece) {
+  std::int64_t sum = 0;
+  each_run(outline, reconstruction.target.cols, reconstruction.target.rows, [&](int y, int begin, int end) {
+    for (int x = begin; x < end; ++x) sum += reconstruction.error(piece, x, y);
+  });
+  return sum;
+}
+
+// 3.4: where patches overlap, their pieces are cut so that the picture gains most.
+void cut_seams(const Workshop& workshop, std::size_t targets, Output& output) {
+  output.reconstruction_cost = output.straight_cost = 0;
+  const Params& params = workshop.params();
+  const double mm = workshop.mm_per_px();
+  const Joints joints = params.seams == SeamKind::kG1 ? Joints::kG1 : Joints::kG0;
+  std::size_t next = 0;
+  for (std::size_t target = 0; target < targets; ++target) {
+    const Reconstruction reconstruction = reconstruction_of(workshop, output, static_cast<int>(target));
+    const Grid& grid = reconstruction.grid;
+    const int stray = overlap_of(grid, params, mm).stray;
+    const Seams cheapest = find_seams(reconstruction, stray, kSeamsApartMm / mm);
+    Seams seams = cheapest;
+    widen(grid, stray, (params.min_width_mm + params.seam_error_mm) / mm, seams);
+    const SeamNetwork network = network_of(grid, seams, params.seam_error_mm / mm, joints);
+    for (const Reconstruction::Piece& piece : reconstruction.pieces) {
+      Patch& patch = output.patches[next++];
+      patch.outline.outer = network.outline(patch.column, patch.row);
+      output.reconstruction_cost += cost_within(patch.outline.outer, reconstruction, piece);
+    }
+    output.straight_cost += cost_of(reconstruction, straight_seams(grid));
+    output.seams_moved += share_moved(cheapest, seams) / static_cast<double>(targets);
+  }
+}
+
 }  // namespace
 
 Result<Output> run(const std::vector<Panel>& panels, const Request& request, const Params& params,
@@ -119,6 +183,11 @@ Result<Output> run(const std::vector<Panel>& panels, const Request& request, con
   Output output = collected(std::move(*pieces));
   output.greedy_cost = greedy_cost;
   output.exchanges = exchanges;
+  output.reconstruction_cost = output.straight_cost = output.cost;
+  if (params.seams != SeamKind::kNone) {
+    context.stage("seams");
+    cut_seams(workshop, request.targets.size(), output);
+  }
   return output;
 }
 
