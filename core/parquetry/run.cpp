@@ -18,7 +18,7 @@ namespace tessera::parquetry {
 namespace {
 
 constexpr double kMostBytes = 3.6e9;
-constexpr double kSeamsApartMm = 0.75;
+constexpr double kSeamsApartMm = 0.75, kAtCrossings = 0.15;  // of minWidthMm
 
 // Of a turned panel: features, fine moments and, per block side, coarse ones; bounds and room.
 double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
@@ -145,7 +145,8 @@ void cut_seams(const Workshop& workshop, std::size_t targets, Output& output) {
     const Reconstruction reconstruction = reconstruction_of(workshop, output, static_cast<int>(target));
     const Grid& grid = reconstruction.grid;
     const int stray = overlap_of(grid, params, mm).stray;
-    const Seams cheapest = find_seams(reconstruction, stray, kSeamsApartMm / mm);
+    const Seams cheapest =
+        find_seams(reconstruction, {stray, kAtCrossings * params.min_width_mm / mm, kSeamsApartMm / mm});
     Seams seams = cheapest;
     widen(grid, stray, (params.min_width_mm + params.seam_error_mm) / mm, seams);
     const SeamNetwork network = network_of(grid, seams, params.seam_error_mm / mm, joints);

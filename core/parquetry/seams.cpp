@@ -9,15 +9,15 @@ namespace tessera::parquetry {
 namespace {
 
 constexpr int kRepetitions = 2;
+constexpr double kOpening = 0.4;  // tangent of 22 degrees: what is left between two seams are 46
 
 // Seams of one direction, seen as if they ran down the columns: `along` them a pixel has its row, across them its
 // place.
 class Direction {
  public:
-  Direction(const Reconstruction& reconstruction, int stray, double apart, bool down)
+  Direction(const Reconstruction& reconstruction, const SeamLimits& limits, bool down)
       : reconstruction_(reconstruction),
-        stray_(stray),
-        apart_(apart),
+        limits_(limits),
         down_(down),
         lines_(down ? reconstruction.grid.columns : reconstruction.grid.rows),
         across_(down ? reconstruction.grid.rows : reconstruction.grid.columns) {}
@@ -33,7 +33,7 @@ class Direction {
 
  private:
   int length() const { return across_.back(); }
-  int first(int line) const { return lines_[line] - stray_; }
+  int first(int line) const { return lines_[line] - limits_.stray; }
   const Reconstruction::Piece& piece(int line, int crossing) const {
     return down_ ? reconstruction_.piece(line, crossing) : reconstruction_.piece(crossing, line);
   }
@@ -43,7 +43,7 @@ class Direction {
 
   // Eq. 9 in every row, over all that the line's neighbours overlap.
   CutCosts costs_along(int line, const std::vector<Seam>& crossing) const {
-    const int overlap = 2 * stray_;
+    const int overlap = 2 * limits_.stray;
     CutCosts costs{overlap + 1, std::vector<std::int64_t>(static_cast<std::size_t>(length()) * (overlap + 1)), {}};
     std::vector<int> at(overlap, 0);  // between which of the crossing seams a pixel is
     std::vector<std::int64_t> left(overlap), right(overlap);
@@ -56,29 +56,47 @@ class Direction {
       }
       cut_costs(left.data(), right.data(), overlap, &costs.costs[static_cast<std::size_t>(along) * costs.width]);
     }
-    keep_straight(line, costs);
+    limit(line, costs);
     return costs;
   }
 
-  // Beside pieces without wood, and as far as the seams that cross there may be.
-  void keep_straight(int line, CutCosts& costs) const {
-    for (int k = 0; k + 1 < static_cast<int>(across_.size()); ++k) {
-      if (!piece(line - 1, k).features.empty() && !piece(line, k).features.empty()) continue;
-      const int end = std::min(length(), across_[k + 1] + stray_);
-      for (int along = std::max(0, across_[k] - stray_); along < end; ++along)
-        for (int place = 0; place < costs.width; ++place)
-          if (place != stray_) costs.costs[static_cast<std::size_t>(along) * costs.width + place] = CutCosts::kNever;
+  // How far the seam may be from its line in each row.
+  std::vector<int> allowed(int line) const {
+    std::vector<int> allowed(length(), limits_.stray);
+    for (std::size_t k = 0; k + 1 < across_.size(); ++k) {
+      // At a crossing, so that no piece has a horn there.
+      for (int along = std::max(0, across_[k] - 2 * limits_.stray); k > 0 && along < length(); ++along) {
+        const double from = std::abs(along + 0.5 - across_[k]) - limits_.at_crossing;
+        const auto most = static_cast<int>(limits_.at_crossing + kOpening * std::max(0.0, from));
+        if (along > across_[k] && most >= limits_.stray) break;
+        allowed[along] = std::min(allowed[along], most);
+      }
+      // Beside pieces without wood, and as far as the seams that cross there may be.
+      if (!piece(line - 1, static_cast<int>(k)).features.empty() &&
+          !piece(line, static_cast<int>(k)).features.empty())
+        continue;
+      const int end = std::min(length(), across_[k + 1] + limits_.stray);
+      for (int along = std::max(0, across_[k] - limits_.stray); along < end; ++along) allowed[along] = 0;
     }
+    return allowed;
+  }
+
+  void limit(int line, CutCosts& costs) const {
+    const std::vector<int> allowed = this->allowed(line);
+    for (int along = 0; along < length(); ++along)
+      for (int place = 0; place < costs.width; ++place)
+        if (std::abs(place - limits_.stray) > allowed[along])
+          costs.costs[static_cast<std::size_t>(along) * costs.width + place] = CutCosts::kNever;
   }
 
   // Steps that are parallel to one of a crossing seam, middle to middle nearer than `apart`.
   void bar(int line, const std::vector<Seam>& crossing, CutCosts& costs) const {
     costs.barred.assign(costs.costs.size(), 0);
-    const int reach = static_cast<int>(std::ceil(apart_));
+    const int reach = static_cast<int>(std::ceil(limits_.apart));
     const int begin = std::max(0, first(line) - reach - 1);
     for (std::size_t k = 1; k + 1 < crossing.size(); ++k) {
       const Seam& other = crossing[k];
-      const int end = std::min(static_cast<int>(other.size()) - 1, lines_[line] + stray_ + reach + 1);
+      const int end = std::min(static_cast<int>(other.size()) - 1, lines_[line] + limits_.stray + reach + 1);
       for (int place = begin; place < end; ++place)
         if (const int step = other[place + 1] - other[place]; step != 0)
           bar_around(place + 1, other[place] + 0.5 * step, step, line, costs);
@@ -87,11 +105,11 @@ class Direction {
 
   void bar_around(double place, double along, int step, int line, CutCosts& costs) const {
     // A step from `place` in row `along` has its middle at (place + step / 2, along + 1).
-    const int top = std::max(0, static_cast<int>(std::ceil(along - 1 - apart_)));
-    const int bottom = std::min(length() - 1, static_cast<int>(std::floor(along - 1 + apart_)));
+    const int top = std::max(0, static_cast<int>(std::ceil(along - 1 - limits_.apart)));
+    const int bottom = std::min(length() - 1, static_cast<int>(std::floor(along - 1 + limits_.apart)));
     const double from = place - 0.5 * step - first(line);
-    const int left = std::max(0, static_cast<int>(std::ceil(from - apart_)));
-    const int right = std::min(costs.width - 1, static_cast<int>(std::floor(from + apart_)));
+    const int left = std::max(0, static_cast<int>(std::ceil(from - limits_.apart)));
+    const int right = std::min(costs.width - 1, static_cast<int>(std::floor(from + limits_.apart)));
     for (int row = top; row <= bottom; ++row)
       for (int k = left; k <= right; ++k)
         costs.barred[static_cast<std::size_t>(row) * costs.width + k] |=
@@ -99,8 +117,7 @@ class Direction {
   }
 
   const Reconstruction& reconstruction_;
-  int stray_;
-  double apart_;
+  SeamLimits limits_;
   bool down_;
   const std::vector<int>& lines_;
   const std::vector<int>& across_;
@@ -179,10 +196,10 @@ std::vector<int> cheapest_cut(const CutCosts& given) {
   return cut;
 }
 
-Seams find_seams(const Reconstruction& reconstruction, int stray, double apart) {
+Seams find_seams(const Reconstruction& reconstruction, const SeamLimits& limits) {
   Seams seams = straight_seams(reconstruction.grid);
-  if (stray <= 0) return seams;
-  const Direction down(reconstruction, stray, apart, true), across(reconstruction, stray, apart, false);
+  if (limits.stray <= 0) return seams;
+  const Direction down(reconstruction, limits, true), across(reconstruction, limits, false);
   const auto improve = [](const Direction& direction, std::vector<Seam>& lines, const std::vector<Seam>& crossing) {
     cv::parallel_for_({1, std::max(1, static_cast<int>(lines.size()) - 1)}, [&](const cv::Range& range) {
       for (int line = range.start; line < range.end; ++line) lines[line] = direction.best(line, crossing);

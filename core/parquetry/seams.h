@@ -60,10 +60,16 @@ struct CutCosts {
 // end on, and the end nearest to the middle. There is one.
 std::vector<int> cheapest_cut(const CutCosts& costs);
 
+// Where seams may not be, so that pieces can be made; px.
+struct SeamLimits {
+  int stray = 0;           // from their lines of the grid
+  double at_crossing = 0;  // the same where another line crosses; from there on they may open by 22 degrees, so
+                           // that pieces have no horns
+  double apart = 0;        // nearer to each other than that, no two step aside in the same direction
+};
+
 // Optimal for every seam as long as those across it stay; these are found by turns, twice (the paper's two
-// repetitions). No seam is farther than `stray` from its line of the grid, and seams beside pieces without wood are
-// straight. Nearer than `apart` to each other (px) no two seams step aside in the same direction: where they cross,
-// no piece ends in a needle.
-Seams find_seams(const Reconstruction& reconstruction, int stray, double apart);
+// repetitions). Seams beside pieces without wood are straight.
+Seams find_seams(const Reconstruction& reconstruction, const SeamLimits& limits);
 
 }  // namespace tessera::parquetry

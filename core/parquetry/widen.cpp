@@ -8,7 +8,7 @@
 namespace tessera::parquetry {
 namespace {
 
-constexpr double kCorner = 1.0;  // squared radii that a disc leaves of a corner of 50 degrees
+constexpr double kCorner = 1.2;  // squared radii that a disc leaves of a corner of 46 degrees
 constexpr int kAround = 2;       // px
 
 // Piece (column, row) in a frame of a pixel; `corner` becomes where the frame's first pixel is on the target.
@@ -69,7 +69,7 @@ bool straighten(Seam& seam, int line, cv::Range rows, cv::Range places) {
   constexpr int kFree = std::numeric_limits<int>::max() / 2;
   std::vector<int> limits(length, kFree);
   for (int k = std::max(0, rows.start); k < std::min(length, rows.end); ++k)
-    if (places.start <= seam[k] && seam[k] < places.end) limits[k] = std::abs(seam[k] - line) / 2;
+    if (places.start <= seam[k] && seam[k] < places.end) limits[k] = 3 * std::abs(seam[k] - line) / 4;
   for (int k = 1; k < length; ++k) limits[k] = std::min(limits[k], limits[k - 1] + 1);
   for (int k = length - 1; k-- > 0;) limits[k] = std::min(limits[k], limits[k + 1] + 1);
   bool moved = false;
@@ -83,7 +83,7 @@ bool straighten(Seam& seam, int line, cv::Range rows, cv::Range places) {
 
 void widen(const Grid& grid, int stray, double width, Seams& seams) {
   std::vector<bool> unsure(static_cast<std::size_t>(grid.across()) * grid.down(), stray > 0);
-  // Each time it halves what is too much, or finds nothing to do.
+  // Each time it lessens what is too much, or finds nothing to do.
   for (bool moved = true; moved;) {
     moved = false;
     std::vector<std::vector<cv::Rect>> narrow(unsure.size());
