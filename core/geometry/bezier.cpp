@@ -8,6 +8,7 @@ namespace tessera {
 namespace {
 
 constexpr int kNewtonSteps = 4;
+constexpr int kBetween = 10;     // parts of the curve between two points of the line, whose ends are looked at
 constexpr double kHopeless = 4;  // times the error allowed: beyond that, better parameters do not help
 
 Point unit(Point a) {
@@ -126,8 +127,7 @@ class Fit {
     return {from, (1 / determinant) * (c22 * x1 - c12 * x2), (1 / determinant) * (c11 * x2 - c12 * x1), to};
   }
 
-  // The larger of the line's points' distances to the curve and of those of the curve, half-way between them, to the
-  // line.
+  // The larger of the line's points' distances to the curve and of those of the curve, between them, to the line.
   Worst worst_of(const Bezier& curve, std::size_t first, const std::vector<double>& t) const {
     Worst worst{0, first};
     const auto count = [&](double distance, std::size_t point) {
@@ -137,12 +137,14 @@ class Fit {
     for (std::size_t i = 0; i + 1 < t.size(); ++i) {
       const std::size_t point = first + i;
       count(length(point_at(curve, t[i]) - line_[point]), point);
-      const Point between = point_at(curve, 0.5 * (t[i] + t[i + 1]));
-      double nearest = distance_to_segment(between, line_[point], line_[point + 1]);
-      if (point > first) nearest = std::min(nearest, distance_to_segment(between, line_[point - 1], line_[point]));
-      if (point + 1 < last)
-        nearest = std::min(nearest, distance_to_segment(between, line_[point + 1], line_[point + 2]));
-      count(nearest, i > 0 ? point : point + 1);
+      for (int k = 1; k < kBetween; ++k) {
+        const Point between = point_at(curve, t[i] + k * (t[i + 1] - t[i]) / kBetween);
+        double nearest = distance_to_segment(between, line_[point], line_[point + 1]);
+        if (point > first) nearest = std::min(nearest, distance_to_segment(between, line_[point - 1], line_[point]));
+        if (point + 1 < last)
+          nearest = std::min(nearest, distance_to_segment(between, line_[point + 1], line_[point + 2]));
+        count(nearest, i > 0 ? point : point + 1);
+      }
     }
     return worst;
   }

@@ -65,10 +65,11 @@ class Direction {
     std::vector<int> allowed(length(), limits_.stray);
     for (std::size_t k = 0; k + 1 < across_.size(); ++k) {
       // At a crossing, so that no piece has a horn there.
-      for (int along = std::max(0, across_[k] - 2 * limits_.stray); k > 0 && along < length(); ++along) {
+      const int reach = static_cast<int>(std::ceil(limits_.at_crossing + limits_.stray / kOpening));
+      const int last = std::min(length(), across_[k] + reach);
+      for (int along = std::max(0, across_[k] - reach); k > 0 && along < last; ++along) {
         const double from = std::abs(along + 0.5 - across_[k]) - limits_.at_crossing;
         const auto most = static_cast<int>(limits_.at_crossing + kOpening * std::max(0.0, from));
-        if (along > across_[k] && most >= limits_.stray) break;
         allowed[along] = std::min(allowed[along], most);
       }
       // Beside pieces without wood, and as far as the seams that cross there may be.
