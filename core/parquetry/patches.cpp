@@ -76,7 +76,10 @@ std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm
     for (int column = 0; column < grid.across(); ++column) {
       const cv::Rect cell = grid.cell(column, row);
       const cv::Rect wider(cell.x - growth, cell.y - growth, cell.width + 2 * growth, cell.height + 2 * growth);
-      patches.push_back(rectangle(wider & cv::Rect({0, 0}, target), row, column, 0, target_index));
+      Patch patch = rectangle(wider & cv::Rect({0, 0}, target), row, column, 0, target_index);
+      patch.mask.setTo(0);
+      patch.mask(cell - patch.box.tl()).setTo(255);
+      patches.push_back(std::move(patch));
     }
   return patches;
 }

@@ -40,8 +40,9 @@ struct Overlap {
 };
 Overlap overlap_of(const Grid& grid, const Params& params, double mm_per_px);
 
-// A patch for each cell of the grid, row by row. With seams they are larger than their cells at the sides where they
-// have neighbours.
+// A patch for each cell of the grid, row by row. With seams they take more wood than their cells at the sides where
+// they have neighbours, but their masks are the cells: the paper matches all that a patch overlaps, which leaves
+// pictures worse than straight cuts where wood is scarce.
 std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index = 0);
 
 // The four quarters of a rectangular patch, of the next level; empty where one would be narrower than minWidthMm.

@@ -181,17 +181,17 @@ class ParquetTest(CliTest):
         self.assertFalse((self.folder / 'out.checkpoint').exists())
 
     def test_seams_gain_and_tile_the_target(self):
-        board = ['--panel', 'board.png,name=oak', '--patch-mm', 12, '--min-width-mm', 4, '--overlap-mm', 6]
+        board = ['--panel', 'board.png,name=oak', '--min-width-mm', 3, '--overlap-mm', 6]
         for kind in ('g0', 'g1'):
             self.parquet(*board, '--seams', kind, '--side', 'front', '-o', kind)
             metrics = self.report(kind)['metrics']
             self.assertLess(metrics['reconstruction_cost'], metrics['straight_cost'])
             self.assertIn('seams', {s['name'] for s in self.report(kind)['stages']})
             rows = self.rows(kind)
-            self.assertEqual(len(rows), 25)
+            self.assertEqual(len(rows), 36)
             self.assertAlmostEqual(sum(float(row['area_mm2']) for row in rows), 60 * 60, delta=100)
             for row in rows:
-                self.assertGreaterEqual(float(row['min_width_mm']), 4)
+                self.assertGreaterEqual(float(row['min_width_mm']), 3)
             # A side of two pieces is drawn with the same points.
             points = {name: set(re.findall(r'-?[\d.]+[ ,]-?[\d.]+', path))
                       for name, path in self.paths(f'{kind}/assembly.svg', 'outlines').items()}
@@ -235,8 +235,10 @@ class ParquetTest(CliTest):
         self.fail_with(2, 'parquet', 'target.png', *panel, *panel, '-o', 'out', says=['second panel called oak'])
         self.fail_with(2, 'parquet', 'target.png', *panel, '--panels', 'elm dpi=300', '-o', 'out', says=['panels', 'elm'])
         self.fail_with(2, 'parquet', 'target.png', *panel, '--patch-mm', 3, '-o', 'out', says=['patchMm', 'minWidthMm'])
-        self.fail_with(2, 'parquet', 'target.png', *panel, '--seams', 'g1', '--adaptive-levels', 1, '--overlap-mm', 10,
-                       '-o', 'out', says=['adaptiveLevels', 'overlapMm'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--seams', 'g1', '--adaptive-levels', 1, '-o', 'out',
+                       says=['adaptiveLevels', 'seams'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--seams', 'g1', '--overlap-mm', 10, '-o', 'out',
+                       says=['overlapMm', 'minWidthMm'])
         self.fail_with(2, 'parquet', 'target.png', *panel, '--image-size-mm', 9000, '--patch-mm', 5, '-o', 'out',
                        says=['imageSizeMm'])
         self.put('mask.png', png(30, 90, lambda x, y: 255))
