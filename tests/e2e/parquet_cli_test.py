@@ -181,7 +181,7 @@ class ParquetTest(CliTest):
         self.assertFalse((self.folder / 'out.checkpoint').exists())
 
     def test_seams_gain_and_tile_the_target(self):
-        board = ['--panel', 'board.png,name=oak', '--min-width-mm', 3, '--overlap-mm', 6]
+        board = ['--panel', 'board.png,name=oak', '--panel', 'second.png,dpi=60,name=fir', '--min-width-mm', 3, '--overlap-mm', 4]
         for kind in ('g0', 'g1'):
             self.parquet(*board, '--seams', kind, '--side', 'front', '-o', kind)
             metrics = self.report(kind)['metrics']
