@@ -211,6 +211,10 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   parquetry::Request request;
   request.targets = {parquetry::at_resolution(picture.mat(), params, mm_per_px)};
   request.patches = parquetry::grid_patches(request.targets.front().size(), params, mm_per_px);
+  if (params.seams != parquetry::SeamKind::kNone &&
+      parquetry::overlap_of(parquetry::grid_of(request.targets.front().size(), params, mm_per_px), params, mm_per_px)
+              .stray == 0)
+    context.warn("seams stay straight: patches have no room for others, in pixels of the panels, beside minWidthMm");
   int tries = 0;
   auto output = match(job, *panels, request, context, tries);
   if (!output) return tl::unexpected<Status>(std::move(output.error()));
