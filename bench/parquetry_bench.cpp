@@ -1,13 +1,17 @@
 // Matching on one thread: how the time for a patch grows with the panel's pixels, the rotations and the patches, as
-// an exponent. What is built once for all patches is measured with them. And how a panel is used up.
+// an exponent. What is built once for all patches is measured with them. How a panel is used up; seams between 900
+// pieces, and their curves.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <opencv2/core.hpp>
 
 #include "tessera/base/rng.h"
+#include "tessera/parquetry/features.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/run.h"
+#include "tessera/parquetry/seam_curves.h"
+#include "tessera/parquetry/widen.h"
 
 namespace tessera {
 namespace {
@@ -99,6 +103,52 @@ void copies(benchmark::State& state) {
   state.counters["missing"] = missing;
 }
 BENCHMARK(copies)->DenseRange(1, 5)->Unit(benchmark::kSecond)->Iterations(1);
+
+// 30 x 30 pieces that overlap by a quarter, at 150 dpi.
+parquetry::Reconstruction pieces_900() {
+  constexpr int kSide = 83, kAcross = 30, kGrowth = 10;
+  const auto features = [&](const cv::Mat3b& picture) {
+    return parquetry::features_of(picture, parquetry::Params());
+  };
+  parquetry::Reconstruction made;
+  for (int k = 0; k <= kAcross; ++k) made.grid.columns.push_back(kSide * k);
+  made.grid.rows = made.grid.columns;
+  made.target = features(waves(kSide * kAcross));
+  const cv::Mat wood = features(boards(2000, 1400));
+  Rng rng(2, RngPurpose::kNoise);
+  for (int row = 0; row < kAcross; ++row)
+    for (int column = 0; column < kAcross; ++column) {
+      const cv::Rect cell = made.grid.cell(column, row);
+      const cv::Rect box = cv::Rect(cell.x - kGrowth, cell.y - kGrowth, kSide + 2 * kGrowth, kSide + 2 * kGrowth) &
+                           cv::Rect({0, 0}, made.target.size());
+      const cv::Point at(static_cast<int>(rng.uniform(0, wood.cols - box.width)),
+                         static_cast<int>(rng.uniform(0, wood.rows - box.height)));
+      made.pieces.push_back({box, wood(cv::Rect(at, box.size())).clone()});
+    }
+  return made;
+}
+
+constexpr parquetry::SeamLimits kLimits{8, 4.4, 4.4};
+constexpr double kWidth = 30, kError = 0.59;  // px: 5 mm, 0.1 mm
+
+void seams(benchmark::State& state) {
+  cv::setNumThreads(1);
+  const parquetry::Reconstruction made = pieces_900();
+  for (auto _ : state) {
+    parquetry::Seams found = find_seams(made, kLimits);
+    widen(made.grid, kLimits.stray, kWidth, found);
+    benchmark::DoNotOptimize(found);
+  }
+}
+BENCHMARK(seams)->Unit(benchmark::kSecond);
+
+void seam_curves(benchmark::State& state) {
+  cv::setNumThreads(1);
+  const parquetry::Reconstruction made = pieces_900();
+  const parquetry::Seams found = find_seams(made, kLimits);
+  for (auto _ : state) benchmark::DoNotOptimize(network_of(made.grid, found, kError, Joints::kG1));
+}
+BENCHMARK(seam_curves)->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace tessera

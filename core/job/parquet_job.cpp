@@ -169,6 +169,17 @@ Result<parquetry::Request> request_of(const std::vector<ImageView>& targets, con
   return request;
 }
 
+void warn_of_narrow_patches(const parquetry::Request& request, const Params& params, double mm_per_px,
+                            const RunContext& context) {
+  if (params.seams == parquetry::SeamKind::kNone) return;
+  for (const cv::Mat3b& target : request.targets) {
+    if (parquetry::overlap_of(parquetry::grid_of(target.size(), params, mm_per_px), params, mm_per_px).stray > 0)
+      continue;
+    context.warn("seams stay straight: patches have no room for others, in pixels of the panels, beside minWidthMm");
+    return;
+  }
+}
+
 // Tells requests apart: everything that decides how patches are laid, but not what comes after.
 std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const std::vector<Panel>& panels) {
   auto& params = std::get<Params>(job.params);
@@ -306,6 +317,7 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   context.stage("patches");
   const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, mm_per_px);
   if (!request) return tl::unexpected<Status>(request.error());
+  warn_of_narrow_patches(*request, params, mm_per_px, context);
   auto matched = match(job, *panels, *request, context);
   if (!matched) return tl::unexpected<Status>(std::move(matched.error()));
   const parquetry::Output& output = matched->output;
@@ -331,7 +343,10 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
                     {"exchanges", output.exchanges},
                     {"panels", static_cast<std::int64_t>(made->panels.size())}};
   outcome.metrics = {{"cost", static_cast<double>(output.cost)},
-                     {"greedy_cost", static_cast<double>(output.greedy_cost)}};
+                     {"greedy_cost", static_cast<double>(output.greedy_cost)},
+                     {"reconstruction_cost", static_cast<double>(output.reconstruction_cost)},
+                     {"straight_cost", static_cast<double>(output.straight_cost)},
+                     {"seams_moved", output.seams_moved}};
   add_targets(output, made->targets.size(), outcome);
   add_wood(*made, outcome);
   outcome.folder = [made] { return parquet_folder(*made); };

@@ -89,6 +89,11 @@ std::optional<Match> Workshop::match_of(const Placement& placement) const {
   return {};
 }
 
+cv::Mat Workshop::features_of_wood(const Laid& laid) const {
+  const auto match = match_of(laid.placement);
+  return match ? matcher_->features(match->view, {match->at, laid.patch.box.size()}) : cv::Mat();
+}
+
 void Greedy::take(const Template& piece, const Match& match) {
   wood_.take(taken_++, workshop_.matcher().views()[match.view].panel, workshop_.cut_of(piece, match));
 }

@@ -37,6 +37,8 @@ class Workshop {
   Ring cut_of(const Template& piece, const Match& match) const;
   Placement placement_of(const Template& piece, const std::optional<Match>& match) const;  // panel -1 for no match
   std::optional<Match> match_of(const Placement& placement) const;
+  const cv::Mat& features_of_target(int target) const { return features_[target]; }
+  cv::Mat features_of_wood(const Laid& laid) const;  // of the size of the patch's box; empty for no wood
 
  private:
   const std::vector<Panel>& panels_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 
 namespace tessera::parquetry {
 namespace {
@@ -327,6 +328,14 @@ std::int64_t Matcher::cost(const Template& patch, int view, cv::Point at) const 
   std::vector<std::int64_t> sums(all);
   compare(patch.pixels, spot(view, at), limits.data(), sums.data());
   return sums.back();
+}
+
+cv::Mat Matcher::features(int view, cv::Rect box) const {
+  cv::Mat features(box.size(), CV_8UC(code_.channels));
+  for (int y = 0; y < box.height; ++y)
+    std::memcpy(features.ptr(y), frames_[view].features.at(box.y + y, box.x),
+                static_cast<std::size_t>(box.width) * code_.channels);
+  return features;
 }
 
 int Matcher::level_of(int side) const {

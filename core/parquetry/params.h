@@ -16,6 +16,7 @@ enum class Side { kBack, kFront };
 enum class ThinParts { kRepair, kRefuse };
 enum class Enclosed { kSplit, kKeep };
 enum class Grain { kAny, kAligned, kDegrees };
+enum class SeamKind { kNone, kG0, kG1 };
 
 struct Params {
   double image_size_mm = 360;
@@ -28,6 +29,9 @@ struct Params {
   double resolution_dpi = 0;
   int adaptive_levels = 0;
   double adaptive_factor = 1.2;
+  SeamKind seams = SeamKind::kNone;
+  double overlap_mm = 0;
+  double seam_error_mm = 0.1;
   Order order = Order::kSaliency;
   int copies = 1;
   Sequence sequence = Sequence::kSequential;
@@ -94,6 +98,10 @@ void visit(Visitor& v, Params& p) {
                                 .ui_max = 1,
                                 .help = "How far the target's tones are moved to those of the wood",
                                 .symbol = "w_hist"});
+  v.choice(p.seams, {.key = "seams", .help = "Whether cuts between patches are laid where the picture gains most"},
+           {{SeamKind::kNone, "none", "straight cuts"},
+            {SeamKind::kG0, "g0", "curves that may have corners"},
+            {SeamKind::kG1, "g1", "smooth curves"}});
   v.choice(p.order, {.key = "order", .help = "Which patches choose their wood first"},
            {{Order::kSaliency, "saliency", "those that draw the eye"},
             {Order::kCentre, "centre", "those nearest to the middle"},
@@ -197,6 +205,23 @@ void visit(Visitor& v, Params& p) {
             .ui_max = 2,
             .help = "A patch is quartered where its quarters together cost less than this times its own cost",
             .symbol = "w_adaptive"});
+  v.number(p.overlap_mm,
+           {.key = "overlapMm",
+            .min = 0,
+            .max = 500,
+            .ui_min = 0,
+            .ui_max = 20,
+            .unit = "mm",
+            .help = "Seams: how wide patches overlap, which takes more wood; 0 takes a quarter of patchMm",
+            .advanced = true});
+  v.number(p.seam_error_mm, {.key = "seamErrorMm",
+                             .min = 0.01,
+                             .max = 1,
+                             .ui_min = 0.02,
+                             .ui_max = 0.5,
+                             .unit = "mm",
+                             .help = "Seams: how far curves may be from the cuts they follow",
+                             .advanced = true});
   v.number(p.weight_colour, {.key = "weightColour",
                              .min = 0,
                              .max = 1,
@@ -228,6 +253,12 @@ template <class Report>
 void check(const Params& p, Report&& report) {
   if (p.patch_mm < p.min_width_mm) report("patchMm", "is less than minWidthMm, expected at least that");
   if (p.patch_mm > p.image_size_mm) report("patchMm", "is more than imageSizeMm, expected at most that");
+  if (p.seams != SeamKind::kNone) {
+    if (p.adaptive_levels > 0)
+      report("adaptiveLevels", "is above 0 where there are seams, expected 0: seams join whole patches of the grid");
+    if (p.overlap_mm > p.patch_mm - p.min_width_mm)
+      report("overlapMm", "is more than patchMm less minWidthMm, expected at most that");
+  }
   read_panel_options(p.panels, [&](std::string message) { report("panels", message.c_str()); });
 }
 

@@ -16,7 +16,7 @@ struct Patch {
   int target = 0;           // which target picture, where several are made from the same panels
   Polygon outline;          // clockwise on the screen
   cv::Rect box;             // the pixels that the outline touches
-  cv::Mat1b mask;           // of the box's size; 255: a pixel whose middle is inside
+  cv::Mat1b mask;           // of the box's size; 255: a pixel that is matched, its middle inside
 };
 
 // A panel is turned clockwise by `rotation` / rotations of a full turn, and becomes a frame (frames.h); `at` is where

@@ -22,10 +22,6 @@ Patch rectangle(cv::Rect box, int row, int column, int level, int target) {
   return patch;
 }
 
-cv::Rect between(const std::vector<int>& columns, const std::vector<int>& rows, int column, int row) {
-  return {columns[column], rows[row], columns[column + 1] - columns[column], rows[row + 1] - rows[row]};
-}
-
 }  // namespace
 
 cv::Mat3b at_resolution(const cv::Mat3b& target, const Params& params, double mm_per_px) {
@@ -51,14 +47,40 @@ std::vector<int> even_cuts(int length, double wanted, double least) {
   return cuts;
 }
 
-std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index) {
+Grid grid_of(cv::Size target, const Params& params, double mm_per_px) {
   const double wanted = params.patch_mm / mm_per_px, least = params.min_width_mm / mm_per_px;
-  const std::vector<int> columns = even_cuts(target.width, wanted, least),
-                         rows = even_cuts(target.height, wanted, least);
+  return {even_cuts(target.width, wanted, least), even_cuts(target.height, wanted, least)};
+}
+
+Overlap overlap_of(const Grid& grid, const Params& params, double mm_per_px) {
+  if (params.seams == SeamKind::kNone) return {};
+  // Beside the cut: its curve; at its ends the kerf's corners, those of 44 degrees (seams.h) the longest.
+  constexpr double kCorner = 0.84;
+  const double beside = std::max(params.seam_error_mm, kCorner * params.kerf_mm) / mm_per_px;
+  const int margin = static_cast<int>(std::ceil(0.5 + beside));
+  int narrowest = grid.columns.back() + grid.rows.back();
+  for (int column = 0; column < grid.across(); ++column) narrowest = std::min(narrowest, grid.cell(column, 0).width);
+  for (int row = 0; row < grid.down(); ++row) narrowest = std::min(narrowest, grid.cell(0, row).height);
+  const double overlap_mm = params.overlap_mm > 0 ? params.overlap_mm : params.patch_mm / 4;
+  const double half = 0.5 * overlap_mm / mm_per_px;
+  const double spare = 0.5 * (narrowest - params.min_width_mm / mm_per_px) - params.seam_error_mm / mm_per_px - 0.5;
+  const int stray = static_cast<int>(std::floor(std::min(half - margin, spare)));
+  return stray > 0 ? Overlap{stray, stray + margin} : Overlap{};
+}
+
+std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index) {
+  const Grid grid = grid_of(target, params, mm_per_px);
+  const int growth = overlap_of(grid, params, mm_per_px).growth;
   std::vector<Patch> patches;
-  for (int row = 0; row + 1 < static_cast<int>(rows.size()); ++row)
-    for (int column = 0; column + 1 < static_cast<int>(columns.size()); ++column)
-      patches.push_back(rectangle(between(columns, rows, column, row), row, column, 0, target_index));
+  for (int row = 0; row < grid.down(); ++row)
+    for (int column = 0; column < grid.across(); ++column) {
+      const cv::Rect cell = grid.cell(column, row);
+      const cv::Rect wider(cell.x - growth, cell.y - growth, cell.width + 2 * growth, cell.height + 2 * growth);
+      Patch patch = rectangle(wider & cv::Rect({0, 0}, target), row, column, 0, target_index);
+      patch.mask.setTo(0);
+      patch.mask(cell - patch.box.tl()).setTo(255);
+      patches.push_back(std::move(patch));
+    }
   return patches;
 }
 
@@ -67,13 +89,12 @@ std::vector<Patch> quarters(const Patch& patch, const Params& params, double mm_
   if (patch.outline.outer.size() != 4 || !patch.outline.holes.empty() || cv::countNonZero(patch.mask) != box.area())
     return {};
   if (std::min(box.width, box.height) / 2 < std::max(1.0, params.min_width_mm / mm_per_px)) return {};
-  const std::vector<int> columns = {box.x, box.x + box.width / 2, box.x + box.width};
-  const std::vector<int> rows = {box.y, box.y + box.height / 2, box.y + box.height};
+  const Grid grid{{box.x, box.x + box.width / 2, box.x + box.width},
+                  {box.y, box.y + box.height / 2, box.y + box.height}};
   std::vector<Patch> parts;
   for (int row = 0; row < 2; ++row)
     for (int column = 0; column < 2; ++column)
-      parts.push_back(
-          rectangle(between(columns, rows, column, row), patch.row, patch.column, patch.level + 1, patch.target));
+      parts.push_back(rectangle(grid.cell(column, row), patch.row, patch.column, patch.level + 1, patch.target));
   return parts;
 }
 

@@ -17,8 +17,32 @@ cv::Mat3b at_resolution(const cv::Mat3b& target, const Params& params, double mm
 // nearest to `wanted` pixels, and none narrower than `least`; but at least one part.
 std::vector<int> even_cuts(int length, double wanted, double least);
 
-// A regular grid of rectangles near to patchMm and no narrower than minWidthMm that covers the target, row by row.
-// They are fitted to the target evenly: no thin rest is left at its right and lower side.
+// Where a target is cut into columns and rows, px: 0, ..., its width and height.
+struct Grid {
+  std::vector<int> columns, rows;
+
+  int across() const { return static_cast<int>(columns.size()) - 1; }
+  int down() const { return static_cast<int>(rows.size()) - 1; }
+  cv::Rect cell(int column, int row) const {
+    return {columns[column], rows[row], columns[column + 1] - columns[column], rows[row + 1] - rows[row]};
+  }
+};
+
+// Rectangles near to patchMm and no narrower than minWidthMm. They are fitted to the target evenly: no thin rest is
+// left at its right and lower side.
+Grid grid_of(cv::Size target, const Params& params, double mm_per_px);
+
+// How far seams (seams.h) may go from where the grid has its cuts, and how far patches are grown for them, px. Less
+// than half of overlapMm by what curves may be beside the seams; so much less that pieces keep minWidthMm; 0 where
+// there are no seams, or there is no room for them.
+struct Overlap {
+  int stray = 0, growth = 0;
+};
+Overlap overlap_of(const Grid& grid, const Params& params, double mm_per_px);
+
+// A patch for each cell of the grid, row by row. With seams they take more wood than their cells at the sides where
+// they have neighbours, but their masks are the cells: the paper matches all that a patch overlaps, which leaves
+// pictures worse than straight cuts where wood is scarce.
 std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index = 0);
 
 // The four quarters of a patch, of the next level; empty where one would be narrower than minWidthMm, or the patch is

@@ -19,7 +19,11 @@ constexpr double kPacked = 0.8;  // of the free wood, what turned pieces can be 
 
 int tone_of(int level) { return level * kTones / 256; }
 
-double around(const Patch& patch) {
+// Patches that overlap take more wood than their cells, which are matched.
+double around(cv::Rect cell) { return 2.0 * (cell.width + cell.height); }
+
+double length_around(const Patch& patch, const Params& params) {
+  if (params.seams != SeamKind::kNone) return around(cv::boundingRect(patch.mask));
   double length = perimeter(patch.outline.outer);
   for (const Ring& hole : patch.outline.holes) length += perimeter(hole);
   return length;
@@ -69,9 +73,9 @@ Plan plan_of(const std::vector<cv::Size>& targets, const std::vector<Patch>& pat
   for (const Patch& patch : patches) {
     plan.rows = std::max(plan.rows, patch.row + 1);
     plan.columns = std::max(plan.columns, patch.column + 1);
-    plan.wood_mm2 += mm_per_px * mm_per_px * area(patch.outline);
+    plan.wood_mm2 += mm_per_px * mm_per_px * cv::countNonZero(patch.mask);
     plan.taken_mm2 += taken_mm2(patch, params, mm_per_px);
-    plan.cut_mm += mm_per_px * around(patch) + 4 * params.kerf_mm;
+    plan.cut_mm += mm_per_px * length_around(patch, params) + 4 * params.kerf_mm;
   }
   plan.minutes = plan.cut_mm / params.cut_speed / 60;
   return plan;

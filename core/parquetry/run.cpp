@@ -6,9 +6,11 @@
 #include <array>
 #include <set>
 
+#include "tessera/parquetry/cut_seams.h"
 #include "tessera/parquetry/exchange.h"
 #include "tessera/parquetry/features.h"
 #include "tessera/parquetry/order.h"
+#include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/rounds.h"
 
 namespace tessera::parquetry {
@@ -27,6 +29,17 @@ double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
   return views * pixels * (channels + (8 * channels + sides * 4 * channels + 3 + 2 * kBoxes) / group);
 }
 
+bool are_of_the_grid(const Request& request, const Params& params, double mm_per_px) {
+  std::size_t next = 0;
+  for (std::size_t target = 0; target < request.targets.size(); ++target)
+    for (const Patch& patch :
+         grid_patches(request.targets[target].size(), params, mm_per_px, static_cast<int>(target)))
+      if (next == request.patches.size() || request.patches[next].target != patch.target ||
+          request.patches[next].box != patch.box || request.patches[next++].outline.outer != patch.outline.outer)
+        return false;
+  return next == request.patches.size();
+}
+
 Result<void> check(const std::vector<Panel>& panels, const Request& request, const Params& params) {
   for (const cv::Mat3b& target : request.targets)
     if (target.empty()) return fail(StatusCode::kInvalidInput, "target", "has no pixels; expected at least 1 x 1");
@@ -40,6 +53,8 @@ Result<void> check(const std::vector<Panel>& panels, const Request& request, con
                 fmt::format("the panels in all their rotations would take {:.1f} GB; expected at most {:.1f}: fewer "
                             "rotations, panels or dpi",
                             bytes / 1e9, kMostBytes / 1e9));
+  if (params.seams != SeamKind::kNone && !are_of_the_grid(request, params, panels.front().mm_per_px))
+    return fail(StatusCode::kInvalidParameter, "seams", "join patches of the grid alone; expected none for others");
   return {};
 }
 
@@ -113,9 +128,10 @@ Result<std::vector<Laid>> lay_all(Workshop& workshop, const Request& request, co
 Result<Output> run(const std::vector<Panel>& panels, const Request& request, const Params& params,
                    const RunContext& context, const LaidObserver& observer) {
   if (auto good = check(panels, request, params); !good) return tl::unexpected(good.error());
-  if (is_laid(request) && !request.improve) {
+  const bool with_seams = params.seams != SeamKind::kNone;
+  if (is_laid(request) && !request.improve && !with_seams) {
     Output output = collected(request.earlier);
-    output.greedy_cost = output.cost;
+    output.greedy_cost = output.reconstruction_cost = output.straight_cost = output.cost;
     context.progress(1);
     return output;
   }
@@ -141,6 +157,14 @@ Result<Output> run(const std::vector<Panel>& panels, const Request& request, con
   output.greedy_cost = greedy_cost;
   output.rounds = rounds;
   output.exchanges = exchanges;
+  output.reconstruction_cost = output.straight_cost = output.cost;
+  if (with_seams) {
+    context.stage("seams");
+    const SeamCosts costs = cut_seams(workshop, request.targets.size(), output.placements, output.patches);
+    output.reconstruction_cost = costs.cut;
+    output.straight_cost = costs.straight;
+    output.seams_moved = costs.moved;
+  }
   return output;
 }
 

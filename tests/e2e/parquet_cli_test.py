@@ -237,6 +237,46 @@ class ParquetTest(CliTest):
         self.assertEqual(self.files('out'), self.files('whole'))
         self.assertFalse((self.folder / 'out.checkpoint').exists())
 
+    def test_seams_gain_and_tile_the_target(self):
+        board = ['--panel', 'board.png,name=oak', '--panel', 'second.png,dpi=60,name=fir', '--min-width-mm', 3, '--overlap-mm', 4]
+        for kind in ('g0', 'g1'):
+            self.parquet(*board, '--seams', kind, '--side', 'front', '-o', kind)
+            metrics = self.report(kind)['metrics']
+            self.assertLess(metrics['reconstruction_cost'], metrics['straight_cost'])
+            self.assertIn('seams', {s['name'] for s in self.report(kind)['stages']})
+            rows = self.rows(kind)
+            self.assertEqual(len(rows), 36)
+            self.assertAlmostEqual(sum(float(row['area_mm2']) for row in rows), 60 * 60, delta=100)
+            for row in rows:
+                self.assertGreaterEqual(float(row['min_width_mm']), 3)
+            # A side of two pieces is drawn with the same points.
+            points = {name: set(re.findall(r'-?[\d.]+[ ,]-?[\d.]+', path))
+                      for name, path in self.paths(f'{kind}/assembly.svg', 'outlines').items()}
+            self.assertGreater(len(points['piece-B2']), 8)
+            for neighbour in ('piece-A2', 'piece-C2', 'piece-B1', 'piece-B3'):
+                self.assertGreaterEqual(len(points['piece-B2'] & points[neighbour]), 2)
+            self.assertEqual(points['piece-B2'] - set().union(*(p for name, p in points.items() if name != 'piece-B2')), set())
+        self.succeed('run', 'g1/job.json', '-o', 'again', '--threads', 1)
+        self.assertEqual(self.files('g1'), self.files('again'))
+        self.parquet(*board, '-o', 'none')
+        metrics = self.report('none')['metrics']
+        self.assertEqual(metrics['reconstruction_cost'], metrics['cost'])
+
+    def test_seams_of_an_interrupted_run(self):
+        flags = ['parquet', 'target.png', '--panel', 'board.png,name=oak', '--image-size-mm', 70, '--patch-mm', 7,
+                 '--min-width-mm', 3, '--seams', 'g1', '--progress', 'always']
+        self.succeed(*flags, '-o', 'whole')
+        run = subprocess.Popen([PROGRAM, *map(str, flags), '-o', 'out'], cwd=self.folder, stderr=subprocess.PIPE)
+        seen = b''
+        while not re.search(rb' [1-9]\d% matching', seen):
+            seen += os.read(run.stderr.fileno(), 1000) or self.fail('it ended too early')
+        run.send_signal(signal.SIGINT)
+        run.stderr.read()
+        run.stderr.close()
+        self.assertEqual(run.wait(), 130)
+        self.succeed(*flags, '-o', 'out', '--resume')
+        self.assertEqual(self.files('out'), self.files('whole'))
+
     def test_masks_keep_pieces_off(self):
         self.put('mask.png', png(300, 240, lambda x, y: 255 if x < 200 else 0))
         self.parquet('--panel', 'board.png,mask=mask.png,name=oak', '--side', 'front', '-o', 'out')
@@ -304,6 +344,10 @@ class ParquetTest(CliTest):
         self.fail_with(2, 'parquet', 'target.png', *panel, *panel, '-o', 'out', says=['second panel called oak'])
         self.fail_with(2, 'parquet', 'target.png', *panel, '--panels', 'elm dpi=300', '-o', 'out', says=['panels', 'elm'])
         self.fail_with(2, 'parquet', 'target.png', *panel, '--patch-mm', 3, '-o', 'out', says=['patchMm', 'minWidthMm'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--seams', 'g1', '--adaptive-levels', 1, '-o', 'out',
+                       says=['adaptiveLevels', 'seams'])
+        self.fail_with(2, 'parquet', 'target.png', *panel, '--seams', 'g1', '--overlap-mm', 10, '-o', 'out',
+                       says=['overlapMm', 'minWidthMm'])
         self.fail_with(2, 'parquet', 'target.png', *panel, '--image-size-mm', 9000, '--patch-mm', 5, '-o', 'out',
                        says=['imageSizeMm'])
         self.put('mask.png', png(30, 90, lambda x, y: 255))
