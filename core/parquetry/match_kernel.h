@@ -19,7 +19,7 @@ struct Stencil {
 
   static constexpr int kVector = 64;
   std::ptrdiff_t bytes = 0, stride = 0;  // a multiple of kVector; rows are filled up with zeros
-  std::vector<int> order;     // which row of the place each is compared with
+  std::vector<int> order;                // which row of the place each is compared with
   std::vector<std::uint8_t> values, mask;
 };
 
