@@ -139,7 +139,7 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   return fingerprint;
 }
 
-// The matching (3.2, 3.3), which may be stopped and go on. `tries` counts the exchanges that were tried.
+// The matching (3.2, 3.3), which may be stopped and go on. `tries` counts what was tried to improve it.
 Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
                                 const RunContext& context, int& tries) {
   const auto& params = std::get<Params>(job.params);
@@ -230,6 +230,7 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
                     {"pieces", static_cast<std::int64_t>(made->pieces.size())},
                     {"missing", output->without_wood},
                     {"quartered", output->quartered},
+                    {"rounds", output->rounds},
                     {"exchanges", output->exchanges},
                     {"panels", static_cast<std::int64_t>(made->panels.size())}};
   outcome.metrics = {{"cost", static_cast<double>(output->cost)},

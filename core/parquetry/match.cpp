@@ -34,12 +34,17 @@ class Matcher::Search {
         index_(view) {
     const cv::Size size = view_.turn.size();
     last_ = {size.width - patch.shape.size.width, size.height - patch.shape.size.height};
+    const std::size_t all = looks(patch.pixels.rows());
+    for (auto* each : {&limits_, &exact_}) each->resize(all);
+    for (auto* each : {&fine_sums_, &sums_}) each->resize(kGroup * all);
+    pixel_unit_ = kGroup * kGroup / (kSlack * matcher.code_.scale * matcher.code_.scale);
+    left_.resize(all + 1);
   }
 
   // Bounds of all groups; then the places in the most promising group of each band of rows.
   void look_over() {
     if (last_.x < 0 || last_.y < 0) return;
-    constexpr int kBands = 4;
+    constexpr int kBands = 12;
     const int rows = last_.y / kGroup + 1;
     for (int band = 0; band < kBands; ++band) {
       std::uint16_t least = kNoRoom;
@@ -53,21 +58,26 @@ class Matcher::Search {
       }
       if (least == kNoRoom) continue;
       const std::uint16_t* row = bounds(least_row);
-      visit(static_cast<int>(std::find(row, row + frame_.stride, least) - row), least_row);
+      visit(static_cast<int>(std::find(row, row + frame_.stride, least) - row), least_row, false);
     }
   }
 
-  // All places that can be as good as what was found.
-  void look_closely() {
+  // All places that can be as good as what was found, in groups whose bounds are within `share` of that; and which
+  // have not been looked at.
+  void look_closely(double share) {
     if (last_.x < 0 || last_.y < 0) return;
-    const bool smaller = patch_.coarse.size() > 1 && matcher_.level_of(patch_.coarse[1].side) >= 0;
+    const bool coarser = share < 1 && count_coarser();
     for (int y = 0; y <= last_.y / kGroup; ++y) {
+      if (coarser) bound_row(y);
       found_.clear();
-      find_at_most(bounds(y), last_.x / kGroup + 1, coarse_limit(), found_);
+      find_at_most(bounds(y), last_.x / kGroup + 1, static_cast<std::uint16_t>(share * coarse_limit()), found_);
       if (found_.empty()) continue;
-      if (smaller) bound_found(y);
+      bound_upper(y);
       for (const int x : found_)
-        if (bounds(y)[x] <= coarse_limit()) visit(x, y);
+        if (bounds(y)[x] <= coarse_limit()) {
+          visit(x, y, true);
+          bounds(y)[x] = kNoRoom;
+        }
     }
   }
 
@@ -86,29 +96,53 @@ class Matcher::Search {
     std::fill(row, row + frame_.stride, kNoRoom);
     if (begin >= end) return kNoRoom;
     const std::uint8_t* room = wood_.room(index_).at(y + shape.deep.y, begin + shape.deep.x);
-    const std::uint16_t least = bound_groups(patch_.coarse[0], y, {begin, end}, room, needed_room());
+    const std::uint16_t least = bound_groups(y, {begin, end}, room, needed_room(), row, nullptr);
     std::fill(row + end, row + frame_.stride, kNoRoom);
     return least;
   }
 
-  // Of groups that were found, by smaller blocks.
-  void bound_found(int y) {
+  // The bounds of the upper bands of blocks alone, of groups that were found.
+  void bound_upper(int y) {
     wanted_.assign(frame_.stride + kRowPadding, 0);
     for (const int x : found_) wanted_[x] = 1;
     const Span span{found_.front(), found_.back() + 1};
-    bound_groups(patch_.coarse[1], y, span, wanted_.data() + span.begin, 1);
+    whole_.resize(upper_stride());
+    upper_.resize(patch_.coarse.bands.size() * upper_stride());
+    bound_groups(y, span, wanted_.data() + span.begin, 1, whole_.data(), upper_.data());
   }
+  std::ptrdiff_t upper_stride() const { return frame_.stride + kRowPadding; }
 
-  std::uint16_t bound_groups(const Template::Coarse& coarse, int y, Span span, const std::uint8_t* room,
-                             std::uint8_t need) {
+  // `bounds`, and if given `upper`: of the row.
+  std::uint16_t bound_groups(int y, Span span, const std::uint8_t* room, std::uint8_t need, std::uint16_t* bounds,
+                             std::uint16_t* upper) {
+    const Template::Coarse& coarse = patch_.coarse;
     const Rows& level = frame_.coarse[matcher_.level_of(coarse.side)];
     const std::uint8_t* from = level.at(y, span.begin);
     blocks_.clear();
     for (const cv::Point block : coarse.blocks) blocks_.push_back(level.at(y + block.y, span.begin + block.x) - from);
-    const int shift = coarse.side == 16 ? 0 : coarse.side == 8 ? 2 : 4;  // to what blocks of kUnit pixels have
-    return coarse_bounds({from, level.plane_size(), 2 * matcher_.code_.channels, &blocks_, coarse.moments.data(),
-                          room, need, shift, span.end - span.begin},
-                         bounds(y) + span.begin);
+    CoarseRow row{
+        from,    level.plane_size(),   2 * matcher_.code_.channels, &blocks_, coarse.moments.data(), room, need,
+        shift(), span.end - span.begin};
+    row.bands = &coarse.bands;
+    row.sums = upper ? upper + span.begin : nullptr;
+    row.stride = upper_stride();
+    return coarse_bounds(row, bounds + span.begin);
+  }
+
+  // To squared bytes of blocks of kUnit pixels, or larger units.
+  int shift() const {
+    const int side = patch_.coarse.side;
+    return coarser_ + (side == 16 ? 0 : side == 8 ? 2 : 4);
+  }
+
+  // Bounds count in larger units where the limit would not fit into 16 bits.
+  bool count_coarser() {
+    follow_limit();
+    const double most = bytes_within(followed_, kUnit, matcher_.code_.scale);
+    constexpr int kMostBits = 8;
+    while (followed_ != kAnyCost && coarser_ < kMostBits && std::ldexp(most, -coarser_) > kNoRoom - 2) ++coarser_;
+    followed_ = -1;
+    return coarser_ > 0;
   }
 
   // The room a group needs: a place of the patch `depth` inside it is at most 1.5 px across and down from its middle.
@@ -128,44 +162,82 @@ class Matcher::Search {
     if (limit == followed_) return;
     followed_ = limit;
     // A bound of kNoRoom - 1 may stand for a greater one: that is below such a limit only where all bounds are.
-    const double most_coarse = bytes_within(limit, kUnit, matcher_.code_.scale);
+    const double most_coarse = std::ldexp(bytes_within(limit, kUnit, matcher_.code_.scale), -coarser_);
     coarse_limit_ = static_cast<std::uint16_t>(std::min<double>(most_coarse, kNoRoom - 1));
-    for (int off = 0; off < kGroup; ++off) fine_limit_[off] = fine_limit(patch_.fine[off], limit);
   }
 
-  void visit(int group_x, int group_y) {
-    const int right = std::min(last_.x, group_x * kGroup + kGroup - 1);
-    const int bottom = std::min(last_.y, group_y * kGroup + kGroup - 1);
-    for (int y = group_y * kGroup; y <= bottom; ++y)
-      for (int x = group_x * kGroup; x <= right; ++x)
-        if (may_be_better({x, y})) consider({x, y});
-  }
-
-  // By a bound of the fine blocks, then with the rows that they leave out, which are compared pixel by pixel.
-  bool may_be_better(cv::Point at) {
+  // `bounded`: bound_upper() of its row was called.
+  void visit(int group_x, int group_y, bool bounded) {
     follow_limit();
-    const int off = at.y % kGroup;
-    const Template::Fine& fine = patch_.fine[off];
-    const std::ptrdiff_t channels = matcher_.code_.channels;
-    const std::int64_t blocks =
-        squared_differences(fine.blocks, frame_.fine.data() + at.x % kGroup * frame_.fine.plane_size(),
-                            frame_.fine.starts() + at.y / kGroup, at.x / kGroup * 2 * channels, fine_limit_[off]);
-    if (blocks > fine_limit_[off]) return false;
-    const std::int64_t strips = squared_differences(fine.strips, frame_.features.data(),
-                                                    frame_.features.starts() + at.y, at.x * channels, followed_);
-    return strips <= followed_ && blocks <= fine_limit(fine, followed_ - strips);
+    limit_fine(group_x, bounded);
+    const int bottom = std::min(last_.y, group_y * kGroup + kGroup - 1);
+    for (int y = group_y * kGroup; y <= bottom; ++y) visit_row(group_x, y);
   }
 
-  // Of the squared bytes of fine blocks, where these may cost `limit`.
-  std::int64_t fine_limit(const Template::Fine& fine, std::int64_t limit) const {
-    const double apart = fine.lost + std::sqrt(bytes_within(limit, kGroup * kGroup, matcher_.code_.scale));
-    return static_cast<std::int64_t>(std::min(9e18, kSlack * apart * apart));
+  void visit_row(int group_x, int y) {
+    const Template::Fine& fine = patch_.fine[y % kGroup];
+    const Rows& level = frame_.fine;
+    const Spot spot{level.data(), level.starts() + y / kGroup, std::ptrdiff_t{group_x} * 2 * matcher_.code_.channels};
+    const unsigned within =
+        compare_four(fine.blocks, spot, level.plane_size(), fine_limits_[y % kGroup].data(), fine_sums_.data());
+    const int x = group_x * kGroup, count = std::min(kGroup, last_.x + 1 - x);
+    if ((within & ((1u << count) - 1)) == 0) return;
+    follow_limit();
+    // With the pixels of the strips.
+    std::array<std::int64_t, kGroup> blocks{};
+    for (int i = 0; i < count; ++i) blocks[i] = cost_of_blocks(fine, i, 0);
+    std::int64_t least = kAnyCost;
+    for (int i = 0; i < count; ++i)
+      if ((within >> i & 1) != 0) least = std::min(least, blocks[i]);
+    std::fill_n(limits_.begin(), looks(fine.strips.rows()), followed_ - least);
+    const Spot pixels = matcher_.spot(index_, {x, y});
+    const unsigned both =
+        within & compare_four(fine.strips, pixels, matcher_.code_.channels, limits_.data(), sums_.data());
+    const int last_look = looks(fine.strips.rows()) - 1;
+    for (int i = 0; i < count; ++i) {
+      if ((both >> i & 1) == 0) continue;
+      if (last_look >= 0 && sums_[kGroup * last_look + i] + blocks[i] > followed_) continue;
+      if (may_be_as_good({x + i, y}, fine)) consider({x + i, y});
+    }
   }
 
+  // What fine blocks may sum up to at each look, if the coarse ones above them cost no more than their bounds.
+  void limit_fine(int group_x, bool bounded) {
+    const double all = bytes_within(followed_, kGroup * kGroup, matcher_.code_.scale);
+    for (int off = 0; off < kGroup; ++off) {
+      const Template::Fine& fine = patch_.fine[off];
+      fine_limits_[off].resize(fine.lost.size());
+      for (std::size_t look = 0; look < fine.lost.size(); ++look) {
+        const int bands = bounded ? fine.bands_above[look] : 0;
+        const double above = bands > 0 ? upper_[(bands - 1) * upper_stride() + group_x] : 0;
+        const double left = all - std::ldexp(above, coarser_) * (kUnit / (kGroup * kGroup));
+        const double apart = fine.lost[look] + std::sqrt(std::max(0.0, left));
+        fine_limits_[off][look] = left < 0 ? -1 : static_cast<std::int64_t>(std::min(9e18, kSlack * apart * apart));
+      }
+    }
+  }
+
+  // By the pixels, with the fine blocks of what is left.
+  bool may_be_as_good(cv::Point at, const Template::Fine& fine) {
+    follow_limit();
+    for (std::size_t look = 0; look < fine.lost_rest.size(); ++look)
+      left_[look] = followed_ - cost_of_blocks(fine, at.x % kGroup, look);
+    for (std::size_t i = 0; i < limits_.size(); ++i) limits_[i] = left_[fine.looks[i]];
+    return compare(patch_.pixels, matcher_.spot(index_, at), limits_.data(), exact_.data());
+  }
+
+  // The bound of the fine blocks that have not been compared after some looks.
+  std::int64_t cost_of_blocks(const Template::Fine& fine, int column, std::size_t look) const {
+    const auto sum = [&](std::size_t looks) { return looks == 0 ? 0 : fine_sums_[kGroup * (looks - 1) + column]; };
+    const double rest = std::sqrt(static_cast<double>(sum(fine.lost.size()) - sum(look)));
+    const double apart = std::max(0.0, rest - fine.lost_rest[look]);
+    return static_cast<std::int64_t>(pixel_unit_ * apart * apart);
+  }
+
+  // A place whose cost is in exact_.
   void consider(cv::Point at) {
-    Match match{0, index_, at};
-    match.cost = matcher_.cost(patch_, index_, at, followed_);
-    if (match.cost > followed_ || (best_ && !(match < *best_))) return;
+    const Match match{exact_.back(), index_, at};
+    if (best_ && !(match < *best_)) return;
     if (!wood_.fits(view_.panel, cut_at(patch_.shape, view_.turn, view_.rotation, at).outer)) return;
     best_ = match;
     std::int64_t known = limit_.load(std::memory_order_relaxed);
@@ -183,10 +255,14 @@ class Matcher::Search {
   cv::Point last_;  // position
   std::int64_t followed_ = -1;
   std::uint16_t coarse_limit_ = 0;
-  std::array<std::int64_t, kGroup> fine_limit_{};
+  int coarser_ = 0;  // bits that bounds have lost
   std::vector<std::ptrdiff_t> blocks_;
   std::vector<int> found_;
   std::vector<std::uint8_t> wanted_;
+  std::vector<std::uint16_t> whole_, upper_;  // of a row of groups; for each band
+  std::array<std::vector<std::int64_t>, kGroup> fine_limits_;
+  std::vector<std::int64_t> limits_, left_, exact_, sums_, fine_sums_;
+  double pixel_unit_ = 0;
   std::optional<Match> best_;
 };
 
@@ -210,7 +286,15 @@ Matcher::Matcher(const std::vector<cv::Mat>& features, const std::vector<cv::Mat
 }
 
 std::optional<Match> Matcher::best(const Template& patch, const Wood& wood, std::int64_t limit) {
-  assert(level_of(patch.coarse[0].side) >= 0);
+  return search(patch, wood, limit, true);
+}
+
+std::optional<Match> Matcher::glance(const Template& patch, const Wood& wood) {
+  return search(patch, wood, kAnyCost, false);
+}
+
+std::optional<Match> Matcher::search(const Template& patch, const Wood& wood, std::int64_t limit, bool closely) {
+  assert(level_of(patch.coarse.side) >= 0);
   std::atomic<std::int64_t> shared = limit;
   std::vector<Search> searches;
   searches.reserve(views_.size());
@@ -222,17 +306,28 @@ std::optional<Match> Matcher::best(const Template& patch, const Wood& wood, std:
     });
   };
   all([](Search& search) { search.look_over(); });
-  all([](Search& search) { search.look_closely(); });
+  if (closely) {
+    constexpr double kFirst = 0.7;  // the most promising ones lower the limit for the others
+    all([](Search& search) { search.look_closely(kFirst); });
+    all([](Search& search) { search.look_closely(1); });
+  }
   std::optional<Match> best;
   for (const Search& search : searches)
     if (search.best() && (!best || *search.best() < *best)) best = search.best();
   return best;
 }
 
-std::int64_t Matcher::cost(const Template& patch, int view, cv::Point at, std::int64_t limit) const {
+Spot Matcher::spot(int view, cv::Point at) const {
   const Rows& features = frames_[view].features;
-  return squared_differences(patch.pixels, features.data(), features.starts() + at.y,
-                             std::ptrdiff_t{at.x} * code_.channels, limit);
+  return {features.data(), features.starts() + at.y, std::ptrdiff_t{at.x} * code_.channels};
+}
+
+std::int64_t Matcher::cost(const Template& patch, int view, cv::Point at) const {
+  const int all = looks(patch.pixels.rows());
+  const std::vector<std::int64_t> limits(all, kAnyCost);
+  std::vector<std::int64_t> sums(all);
+  compare(patch.pixels, spot(view, at), limits.data(), sums.data());
+  return sums.back();
 }
 
 cv::Mat Matcher::features(int view, cv::Rect box) const {

@@ -27,6 +27,11 @@ struct Match {
   }
 };
 
+// Of what finds no wood: more than a whole picture of pieces.
+inline std::int64_t cost_or_worst(const std::optional<Match>& match) {
+  return match ? match->cost : std::int64_t{1} << 50;
+}
+
 inline constexpr std::int64_t kAnyCost = std::numeric_limits<std::int64_t>::max();
 
 // Panels' features in all their views. Features are turned, not the pictures before: real wood does not lose detail
@@ -37,8 +42,8 @@ inline constexpr std::int64_t kAnyCost = std::numeric_limits<std::int64_t>::max(
 // is left when its turn comes.
 class Matcher {
  public:
-  // `features` of the panels, in their order; `sides` of coarse blocks: the first of each template that will come;
-  // its second one makes it faster. The views outlive this.
+  // `features` of the panels, in their order; `sides` of coarse blocks: all that templates will have. The views
+  // outlive this.
   Matcher(const std::vector<cv::Mat>& features, const std::vector<cv::Mat1b>& masks, const std::vector<View>& views,
           const std::vector<int>& sides);
 
@@ -48,12 +53,16 @@ class Matcher {
   // The best whole-pixel place of all views where the patch fits into the wood, of cost `limit` or less; none where
   // there is none. The same for any number of threads.
   //
-  // Groups of positions first, by blocks of 16 px and then 8 px (or what the patch holds), then single positions by
-  // blocks of 4 px, then their pixels: each a bound from below, given up above the best cost so far.
+  // Groups of positions first, by blocks of 16 px (or what the patch holds), then single positions by blocks of 4 px,
+  // then their pixels: each a bound from below, given up above the best cost so far. Block by block
+  // and pixel by pixel, what has not been compared yet counts with the bound of the level before.
   std::optional<Match> best(const Template& patch, const Wood& wood, std::int64_t limit = kAnyCost);
 
+  // A good place, soon: the best in the most promising group of each view's twelfth.
+  std::optional<Match> glance(const Template& patch, const Wood& wood);
+
   // Eq. 4 at a position where the patch's box is inside the frame.
-  std::int64_t cost(const Template& patch, int view, cv::Point at, std::int64_t limit = kAnyCost) const;
+  std::int64_t cost(const Template& patch, int view, cv::Point at) const;
 
   // A view's features in a box inside its frame.
   cv::Mat features(int view, cv::Rect box) const;
@@ -68,7 +77,9 @@ class Matcher {
     int stride = 0;
   };
   class Search;
-  int level_of(int side) const;  // -1: there is none
+  std::optional<Match> search(const Template& patch, const Wood& wood, std::int64_t limit, bool closely);
+  int level_of(int side) const;
+  Spot spot(int view, cv::Point at) const;  // the features there
 
   std::vector<int> sides_;
   ByteCode code_;

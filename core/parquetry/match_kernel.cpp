@@ -18,20 +18,54 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Where the sums of a row's first blocks go.
+class Bands {
+ public:
+  Bands(const CoarseRow& row, int x) : row_(row), to_(row.sums ? row.sums + x : nullptr) {}
+
+  // Null, but for the last block of a band.
+  std::uint16_t* after(int block) {
+    if (!to_ || block + 1 != (*row_.bands)[band_]) return nullptr;
+    ++band_;
+    to_ += row_.stride;
+    return to_ - row_.stride;
+  }
+
+ private:
+  const CoarseRow& row_;
+  std::uint16_t* to_;
+  std::size_t band_ = 0;
+};
+
 #if HWY_TARGET == HWY_SCALAR  // one lane has no bytes to widen
 
-std::int64_t squared_differences(const Stencil& stencil, const std::uint8_t* data, const std::ptrdiff_t* starts,
-                                 std::ptrdiff_t x, std::int64_t limit) {
-  std::int64_t total = 0;
-  for (std::size_t k = 0; k < stencil.order.size() && total <= limit; ++k) {
-    const std::uint8_t* from = data + starts[stencil.order[k]] + x;
-    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(k) * stencil.stride;
+bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limits, std::int64_t* sums) {
+  std::int64_t sum = 0;
+  for (int k = 0; k < stencil.rows(); ++k) {
+    const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
+    const std::ptrdiff_t row = k * stencil.stride;
     for (std::ptrdiff_t i = 0; i < stencil.stride; ++i) {
       const int off = stencil.mask[row + i] != 0 ? stencil.values[row + i] - from[i] : 0;
-      total += off * off;
+      sum += off * off;
     }
+    if ((k + 1) % kLook != 0 && k + 1 < stencil.rows()) continue;
+    *sums++ = sum;
+    if (sum > *limits++) return false;
   }
-  return total;
+  return true;
+}
+
+unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t plane, const std::int64_t* limits,
+                      std::int64_t* sums) {
+  unsigned within = 0;
+  std::vector<std::int64_t> own(looks(stencil.rows()));
+  for (unsigned p = 0; p < 4; ++p) {
+    within |=
+        unsigned{HWY_NAMESPACE::compare(stencil, {spot.data + p * plane, spot.starts, spot.x}, limits, own.data())}
+        << p;
+    for (std::size_t look = 0; look < own.size(); ++look) sums[4 * look + p] = own[look];
+  }
+  return within;
 }
 
 std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
@@ -41,12 +75,14 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
     if (row.room[x] < row.need) continue;
     int sum = 0;
     const std::uint8_t* target = row.targets;
-    for (const std::ptrdiff_t block : *row.blocks) {
-      const std::uint8_t* from = row.planes + block + x;
+    Bands bands(row, x);
+    for (int b = 0; b < static_cast<int>(row.blocks->size()); ++b) {
+      const std::uint8_t* from = row.planes + (*row.blocks)[b] + x;
       for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * row.plane_size) {
         const int off = std::max({0, from[0] - target[1], target[0] - from[row.plane_size]});
         sum = std::min(kNoRoom - 1, sum + (off * off >> row.shift));
       }
+      if (std::uint16_t* to = bands.after(b)) *to = static_cast<std::uint16_t>(sum);
     }
     bounds[x] = static_cast<std::uint16_t>(sum);
     least = std::min(least, bounds[x]);
@@ -61,38 +97,88 @@ void find_at_most(const std::uint16_t* bounds, int count, std::uint16_t limit, s
 
 #else
 
-using D16 = hn::CappedTag<std::int16_t, Stencil::kVector>;
-using D8 = hn::Rebind<std::uint8_t, D16>;
-using D32 = hn::RepartitionToWide<D16>;
-
-constexpr int kRowsBetweenLooks = 4;
 constexpr std::ptrdiff_t kLongRow = 1 << 13;  // bytes: four of them may be too much for a sum of 32 bits
 
-std::int64_t squared_differences(const Stencil& stencil, const std::uint8_t* data, const std::ptrdiff_t* starts,
-                                 std::ptrdiff_t x, std::int64_t limit) {
+using D8 = hn::CappedTag<std::uint8_t, Stencil::kVector>;
+using D16 = hn::Repartition<std::int16_t, D8>;
+using D32 = hn::RepartitionToWide<D16>;
+using V8 = hn::Vec<D8>;
+using V32 = hn::Vec<D32>;
+
+// The sum, with the squared differences where the mask is 255.
+HWY_INLINE V32 add_squares(V8 value, V8 mask, const std::uint8_t* place, V32 sum) {
   const D8 d8;
   const D16 d16;
   const D32 d32;
-  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d16));
-  const std::int16_t* values = stencil.values.data();
-  const std::int16_t* mask = stencil.mask.data();
-  const int rows = static_cast<int>(stencil.order.size());
-  const int step = stencil.stride < kLongRow ? kRowsBetweenLooks : 1;
-  std::int64_t total = 0;
+  const hn::RebindToUnsigned<D16> du16;
+  const auto is = hn::LoadU(d8, place);
+  const auto off = hn::And(hn::Or(hn::SaturatedSub(is, value), hn::SaturatedSub(value, is)), mask);
+  const auto even = hn::And(hn::BitCast(d16, off), hn::Set(d16, 0xff));
+  const auto odd = hn::BitCast(d16, hn::ShiftRight<8>(hn::BitCast(du16, off)));
+  auto rest = hn::Zero(d32);
+  sum = hn::ReorderWidenMulAccumulate(d32, even, even, sum, rest);
+  sum = hn::ReorderWidenMulAccumulate(d32, odd, odd, sum, rest);
+  return hn::Add(sum, rest);
+}
+
+HWY_INLINE std::int64_t total(V32 sum) { return hn::GetLane(hn::SumOfLanes(D32(), sum)); }
+
+bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limits, std::int64_t* sums) {
+  const D8 d8;
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d8));
+  const std::uint8_t* values = stencil.values.data();
+  const std::uint8_t* mask = stencil.mask.data();
+  const int rows = stencil.rows(), step = stencil.stride < kLongRow ? kLook : 1;
+  std::int64_t all = 0;
   for (int k = 0; k < rows;) {
-    auto sum = hn::Zero(d32), rest = hn::Zero(d32);
-    for (const int end = std::min(rows, k + step); k < end; ++k) {
-      const std::uint8_t* from = data + starts[stencil.order[k]] + x;
-      for (std::ptrdiff_t i = 0; i < stencil.stride; i += lanes, values += lanes, mask += lanes) {
-        const auto place = hn::PromoteTo(d16, hn::LoadU(d8, from + i));
-        const auto off = hn::And(hn::Sub(hn::LoadU(d16, values), place), hn::LoadU(d16, mask));
-        sum = hn::ReorderWidenMulAccumulate(d32, off, off, sum, rest);
+    auto sum = hn::Zero(D32());
+    for (const int end = std::min(rows, k + step); k < end; ++k, values += stencil.stride, mask += stencil.stride) {
+      const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
+      for (std::ptrdiff_t i = 0; i < stencil.bytes; i += lanes)
+        sum = add_squares(hn::LoadU(d8, values + i), hn::LoadU(d8, mask + i), from + i, sum);
+    }
+    all += total(sum);
+    if (k % kLook != 0 && k < rows) continue;
+    *sums++ = all;
+    if (all > *limits++) return false;
+  }
+  return true;
+}
+
+unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t plane, const std::int64_t* limits,
+                      std::int64_t* sums) {
+  const D8 d8;
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d8));
+  const std::uint8_t* values = stencil.values.data();
+  const std::uint8_t* mask = stencil.mask.data();
+  const int rows = stencil.rows(), step = stencil.stride < kLongRow ? kLook : 1;
+  std::int64_t all[4] = {0, 0, 0, 0};
+  unsigned within = 15;
+  for (int k = 0; k < rows;) {
+    auto a = hn::Zero(D32()), b = a, c = a, d = a;
+    for (const int end = std::min(rows, k + step); k < end; ++k, values += stencil.stride, mask += stencil.stride) {
+      const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
+      for (std::ptrdiff_t i = 0; i < stencil.bytes; i += lanes) {
+        const auto value = hn::LoadU(d8, values + i), counts = hn::LoadU(d8, mask + i);
+        a = add_squares(value, counts, from + i, a);
+        b = add_squares(value, counts, from + i + plane, b);
+        c = add_squares(value, counts, from + i + 2 * plane, c);
+        d = add_squares(value, counts, from + i + 3 * plane, d);
       }
     }
-    total += hn::GetLane(hn::SumOfLanes(d32, hn::Add(sum, rest)));
-    if (total > limit) return total;
+    all[0] += total(a);
+    all[1] += total(b);
+    all[2] += total(c);
+    all[3] += total(d);
+    if (k % kLook != 0 && k < rows) continue;
+    for (unsigned p = 0; p < 4; ++p) {
+      *sums++ = all[p];
+      within &= ~(unsigned{all[p] > *limits} << p);
+    }
+    ++limits;
+    if (within == 0) break;
   }
-  return total;
+  return within;
 }
 
 std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
@@ -120,8 +206,9 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
     }
     auto even = hn::Zero(d16), odd = hn::Zero(d16);
     const std::uint8_t* target = row.targets;
-    for (const std::ptrdiff_t block : *row.blocks) {
-      const std::uint8_t* from = row.planes + block + x;
+    Bands bands(row, x);
+    for (int b = 0; b < static_cast<int>(row.blocks->size()); ++b) {
+      const std::uint8_t* from = row.planes + (*row.blocks)[b] + x;
       for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * row.plane_size) {
         const auto low = hn::LoadU(d8, from), high = hn::LoadU(d8, from + row.plane_size);
         const auto off =
@@ -129,6 +216,7 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
         even = hn::SaturatedAdd(even, hn::ShiftRightSame(square_even(off), row.shift));
         odd = hn::SaturatedAdd(odd, hn::ShiftRightSame(square_odd(off), row.shift));
       }
+      if (std::uint16_t* to = bands.after(b)) hn::StoreInterleaved2(even, odd, d16, to);
     }
     const auto taken = hn::VecFromMask(d8, hn::Not(is_free));
     const auto taken_even = hn::VecFromMask(d16, hn::Eq(hn::And(hn::BitCast(d16, taken), byte), byte));
@@ -168,27 +256,24 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace tessera::parquetry {
 
-Stencil::Stencil(std::vector<int> rows, int bytes)
-    : stride((bytes + kVector - 1) / kVector * kVector),
+Stencil::Stencil(std::vector<int> rows, int row_bytes)
+    : bytes(row_bytes),
+      stride(std::ptrdiff_t{(row_bytes + kVector - 1) / kVector} * kVector),
       order(std::move(rows)),
       values(static_cast<std::size_t>(stride) * order.size()),
       mask(values.size()) {}
 
-std::vector<int> spread_rows(int count) {
-  constexpr int kApart = 4;
-  std::vector<int> rows;
-  for (int first = 0; first < kApart; ++first)
-    for (int y = first; y < count; y += kApart) rows.push_back(y);
-  return rows;
-}
-
-HWY_EXPORT(squared_differences);
+HWY_EXPORT(compare);
+HWY_EXPORT(compare_four);
 HWY_EXPORT(coarse_bounds);
 HWY_EXPORT(find_at_most);
 
-std::int64_t squared_differences(const Stencil& stencil, const std::uint8_t* data, const std::ptrdiff_t* starts,
-                                 std::ptrdiff_t x, std::int64_t limit) {
-  return HWY_DYNAMIC_DISPATCH(squared_differences)(stencil, data, starts, x, limit);
+bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limits, std::int64_t* sums) {
+  return HWY_DYNAMIC_DISPATCH(compare)(stencil, spot, limits, sums);
+}
+unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t plane, const std::int64_t* limits,
+                      std::int64_t* sums) {
+  return HWY_DYNAMIC_DISPATCH(compare_four)(stencil, spot, plane, limits, sums);
 }
 std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
   return HWY_DYNAMIC_DISPATCH(coarse_bounds)(row, bounds);

@@ -8,28 +8,39 @@
 
 namespace tessera::parquetry {
 
-// What is compared with a place of a picture of bytes: rows of them, widened, and -1 in `mask` for each that counts.
-// `order`: which row of the place each is compared with.
+// What is compared with a place of a picture of bytes: rows of them, and 255 in `mask` for each that counts.
 struct Stencil {
   Stencil() = default;
-  Stencil(std::vector<int> rows, int bytes);  // zeros
+  Stencil(std::vector<int> order, int bytes);  // zeros
 
-  std::int16_t* row(int k) { return values.data() + k * stride; }
-  std::int16_t* mask_row(int k) { return mask.data() + k * stride; }
+  int rows() const { return static_cast<int>(order.size()); }
+  std::uint8_t* row(int k) { return values.data() + k * stride; }
+  std::uint8_t* mask_row(int k) { return mask.data() + k * stride; }
 
-  static constexpr int kVector = 32;
-  std::ptrdiff_t stride = 0;  // a multiple of kVector; rows are filled up with zeros
-  std::vector<int> order;
-  std::vector<std::int16_t> values, mask;
+  static constexpr int kVector = 64;
+  std::ptrdiff_t bytes = 0, stride = 0;  // a multiple of kVector; rows are filled up with zeros
+  std::vector<int> order;     // which row of the place each is compared with
+  std::vector<std::uint8_t> values, mask;
 };
 
-// The rows 0 to `count` - 1, far ones after each other, so that a sum of some of them tells of the whole.
-std::vector<int> spread_rows(int count);
+// The picture's bytes, where each of its rows has the first one, from the first row that is compared, and the column.
+struct Spot {
+  const std::uint8_t* data;
+  const std::ptrdiff_t* starts;
+  std::ptrdiff_t x;
+};
 
-// Sum of squared differences, or any number above `limit` where it is above. `starts`: where each row of the picture
-// has its first byte, from `data`; of the first row that is compared. May read up to a vector beyond the rows' ends.
-std::int64_t squared_differences(const Stencil& stencil, const std::uint8_t* data, const std::ptrdiff_t* starts,
-                                 std::ptrdiff_t x, std::int64_t limit);
+inline constexpr int kLook = 4;  // rows
+inline int looks(int rows) { return (rows + kLook - 1) / kLook; }
+
+// Sums of squared differences: after every kLook rows, and after all, the sum so far goes to `sums`; given up, with
+// false, where it is above that of `limits`. May read up to a vector beyond the rows' ends.
+bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limits, std::int64_t* sums);
+
+// Four at once, in pictures whose bytes are `plane` apart; given up where all are above. `sums` has four after each
+// look. Returns for each whether it was never above, as a bit.
+unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t plane, const std::int64_t* limits,
+                      std::int64_t* sums);
 
 // A row of groups at a coarse level (levels.h).
 struct CoarseRow {
@@ -40,8 +51,13 @@ struct CoarseRow {
   const std::uint8_t* targets;                // for each block and statistic the least and greatest value
   const std::uint8_t* room;
   std::uint8_t need;  // groups with less room are kNoRoom
-  int shift;          // squares lose so many bits, which keeps sums of smaller blocks in range
+  int shift;          // squares lose so many bits, which keeps sums in range
   int groups;
+  // Where `sums` is given, it gets the bounds of the first blocks alone: of as many as each of `bands` says, a row of
+  // bounds each, `stride` apart.
+  const std::vector<int>* bands = nullptr;
+  std::uint16_t* sums = nullptr;
+  std::ptrdiff_t stride = 0;
 };
 inline constexpr std::uint16_t kNoRoom = 0xffff;
 inline constexpr int kRowPadding = 64;  // elements that are written beyond a row's groups

@@ -7,10 +7,11 @@
 #include <set>
 
 #include "tessera/geometry/scan.h"
+#include "tessera/parquetry/exchange.h"
 #include "tessera/parquetry/features.h"
-#include "tessera/parquetry/improve.h"
 #include "tessera/parquetry/order.h"
 #include "tessera/parquetry/patches.h"
+#include "tessera/parquetry/rounds.h"
 #include "tessera/parquetry/seam_curves.h"
 #include "tessera/parquetry/widen.h"
 
@@ -23,7 +24,7 @@ constexpr double kSeamsApartMm = 0.75, kAtCrossings = 0.15;  // of minWidthMm
 // Of a turned panel: features, fine moments and, per block side, coarse ones; bounds and room.
 double bytes_of_views(const std::vector<Panel>& panels, const Params& params) {
   const double channels = feature_channels(params), group = kGroup * kGroup;
-  const double sides = std::min(3, 2 + params.adaptive_levels);
+  const double sides = std::min(3, 1 + params.adaptive_levels);
   double pixels = 0;
   for (const Panel& panel : panels) pixels += static_cast<double>(panel.scan.total());
   const double views = static_cast<double>(allowed_rotations(params).size());
@@ -175,14 +176,17 @@ Result<Output> run(const std::vector<Panel>& panels, const Request& request, con
   if (!pieces) return tl::unexpected(pieces.error());
   const std::int64_t greedy_cost = cost_of(*pieces);
 
-  int exchanges = 0;
+  int rounds = 0, exchanges = 0;
   if (request.improve) {
     context.stage("improving");
-    exchanges = improve(workshop, *pieces, [&] { return request.improve() && context.check(); });
+    const auto go_on = [&] { return request.improve() && context.check(); };
+    rounds = lay_in_rounds(workshop, *pieces, go_on);
+    exchanges = exchange_places(workshop, *pieces, go_on);
     if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
   }
   Output output = collected(std::move(*pieces));
   output.greedy_cost = greedy_cost;
+  output.rounds = rounds;
   output.exchanges = exchanges;
   output.reconstruction_cost = output.straight_cost = output.cost;
   if (params.seams != SeamKind::kNone) {

@@ -33,6 +33,7 @@ struct Output {
   std::int64_t cost = 0;              // after
   int quartered = 0;                  // patches
   int without_wood = 0;               // pieces
+  int rounds = 0;                     // of improving, laid to their ends
   int exchanges = 0;                  // made by improving
   // Eq. 8: each pixel of the targets with the features of the piece that covers it, none where wood is missing. As
   // the pieces are cut, and as they would be with straight cuts between the same ones.

@@ -11,15 +11,22 @@ bool all_inside(const cv::Mat1b& mask, cv::Rect block) {
   return (block & cv::Rect({0, 0}, mask.size())) == block && cv::countNonZero(mask(block)) == block.area();
 }
 
+// The lowest first.
+std::vector<int> upwards(int rows) {
+  std::vector<int> order(rows);
+  for (int k = 0; k < rows; ++k) order[k] = rows - 1 - k;
+  return order;
+}
+
 Stencil pixels_of(const cv::Mat& features, const cv::Mat1b& mask, std::vector<int> rows) {
   const int channels = features.channels();
   Stencil stencil(std::move(rows), mask.cols * channels);
-  for (std::size_t k = 0; k < stencil.order.size(); ++k) {
+  for (int k = 0; k < stencil.rows(); ++k) {
     const int y = stencil.order[k];
     for (int i = 0; i < mask.cols * channels; ++i) {
       if (mask(y, i / channels) == 0) continue;
-      stencil.row(static_cast<int>(k))[i] = features.ptr(y)[i];
-      stencil.mask_row(static_cast<int>(k))[i] = -1;
+      stencil.row(k)[i] = features.ptr(y)[i];
+      stencil.mask_row(k)[i] = 255;
     }
   }
   return stencil;
@@ -41,37 +48,72 @@ std::vector<std::uint8_t> moments_of_blocks(const cv::Mat& features, const std::
   return bytes;
 }
 
+Template::Coarse coarse_blocks(const cv::Mat& features, const cv::Mat1b& mask, int side, const ByteCode& code) {
+  Template::Coarse coarse;
+  coarse.side = side;
+  for (const cv::Point block : blocks_inside(mask, side, 0)) {
+    if (coarse.bottoms.empty() || coarse.bottoms.back() != block.y + side) {
+      coarse.bottoms.push_back(block.y + side);
+      coarse.bands.push_back(0);
+    }
+    coarse.blocks.emplace_back(block.x / kGroup, block.y / kGroup);
+    coarse.bands.back() = static_cast<int>(coarse.blocks.size());
+  }
+  coarse.moments = moments_of_blocks(features, coarse.blocks, side, code);
+  return coarse;
+}
+
+// What rounding loses of blocks' bytes: of the patch's as it is, of the frame's at most half a byte each.
+class Lost {
+ public:
+  void add(double exact, double byte) {
+    own_ += (exact - byte) * (exact - byte);
+    ++count_;
+  }
+  double distance() const { return std::sqrt(own_) + kMostRounded * std::sqrt(static_cast<double>(count_)); }
+
+ private:
+  static constexpr double kMostRounded = 0.5 + 1e-3;
+  double own_ = 0;
+  int count_ = 0;
+};
+
 // At a position `off` rows from the first of its group: blocks of the frame begin at multiples of kGroup.
-Template::Fine fine_blocks(const cv::Mat& features, const cv::Mat1b& mask, int off, const ByteCode& code) {
-  constexpr double kMostRounded = 0.5 + 1e-3;
+Template::Fine fine_blocks(const cv::Mat& features, const cv::Mat1b& mask, int off, const ByteCode& code,
+                           const Template::Coarse& coarse) {
   const int first = (kGroup - off) % kGroup, statistics = 2 * code.channels;
   const int block_rows = std::max(0, mask.rows - first) / kGroup, skipped = (off + first) / kGroup;
+  std::vector<int> order = upwards(block_rows);
+  for (int& row : order) row += skipped;
   Template::Fine fine;
-  std::vector<int> order = spread_rows(block_rows);
-  std::vector<int> place(block_rows);
-  for (int k = 0; k < block_rows; ++k) {
-    place[order[k]] = k;
-    order[k] += skipped;
-  }
   Stencil& stencil = fine.blocks = Stencil(std::move(order), mask.cols / kGroup * statistics);
-  double own = 0;
-  int count = 0;
+  const int all_looks = looks(block_rows);
+  std::vector<Lost> lost(all_looks), rest(all_looks + 1);
   for (const cv::Point block : blocks_inside(mask, kGroup, first)) {
-    const int k = place[(block.y - first) / kGroup];
+    const int k = block_rows - 1 - (block.y - first) / kGroup;
     for (int s = 0; s < statistics; ++s) {
       const Moments moments = moments_of(features, s / 2, {block, cv::Size(kGroup, kGroup)});
       const double exact = s % 2 == 0 ? code.mean(moments.mean, s / 2) : code.deviation(moments.deviation);
       const double byte = std::floor(exact + 0.5);
-      stencil.row(k)[block.x / kGroup * statistics + s] = static_cast<std::int16_t>(byte);
-      stencil.mask_row(k)[block.x / kGroup * statistics + s] = -1;
-      own += (exact - byte) * (exact - byte);
-      ++count;
+      stencil.row(k)[block.x / kGroup * statistics + s] = static_cast<std::uint8_t>(byte);
+      stencil.mask_row(k)[block.x / kGroup * statistics + s] = 255;
+      for (int look = k / kLook; look < all_looks; ++look) lost[look].add(exact, byte);
+      for (int look = 0; look <= k / kLook; ++look) rest[look].add(exact, byte);
     }
   }
-  fine.lost = std::sqrt(own) + kMostRounded * std::sqrt(static_cast<double>(count));
+  for (const Lost& each : lost) fine.lost.push_back(each.distance());
+  for (const Lost& each : rest) fine.lost_rest.push_back(each.distance());
+  const auto top = [&](int look) { return first + kGroup * std::max(0, block_rows - kLook * look); };
+  for (int look = 1; look <= all_looks; ++look)
+    fine.bands_above.push_back(static_cast<int>(
+        std::upper_bound(coarse.bottoms.begin(), coarse.bottoms.end(), top(look)) - coarse.bottoms.begin()));
+  for (int seen = kLook, look = 0; seen < mask.rows + kLook; seen += kLook) {
+    while (look < all_looks && top(look) > std::max(0, mask.rows - seen)) ++look;
+    fine.looks.push_back(look);
+  }
   std::vector<int> others;
-  for (int y = 0; y < mask.rows; ++y)
-    if (y < first || y >= first + block_rows * kGroup) others.push_back(y);
+  for (const int y : upwards(mask.rows))
+    if (y < first || y >= top(0)) others.push_back(y);
   fine.strips = pixels_of(features, mask, std::move(others));
   return fine;
 }
@@ -91,7 +133,7 @@ std::vector<cv::Point> blocks_inside(const cv::Mat1b& mask, int side, int first)
   return blocks;
 }
 
-std::vector<int> coarse_sides(const cv::Mat1b& mask) {
+int coarse_side(const cv::Mat1b& mask) {
   // Larger blocks are fewer, smaller ones leave less at the border: of those that cover most of what any cover.
   std::array<double, kCoarseSides.size()> covered;
   for (std::size_t i = 0; i < kCoarseSides.size(); ++i)
@@ -101,22 +143,16 @@ std::vector<int> coarse_sides(const cv::Mat1b& mask) {
   const double most = *std::max_element(covered.begin(), covered.end());
   std::size_t first = 0;
   while (covered[first] < kEnough * most) ++first;
-  return {kCoarseSides.begin() + first, std::min(kCoarseSides.begin() + first + 2, kCoarseSides.end())};
+  return kCoarseSides[first];
 }
 
 Template make_template(const Patch& patch, const cv::Mat& features, const ByteCode& code, double half_kerf) {
   Template made;
   made.shape = shape_of(patch, half_kerf);
   const cv::Mat own = features(patch.box);
-  made.pixels = pixels_of(own, patch.mask, spread_rows(patch.mask.rows));
-  for (const int side : coarse_sides(patch.mask)) {
-    const std::vector<cv::Point> blocks = blocks_inside(patch.mask, side, 0);
-    Template::Coarse& coarse = made.coarse.emplace_back();
-    coarse.side = side;
-    for (const cv::Point block : blocks) coarse.blocks.emplace_back(block.x / kGroup, block.y / kGroup);
-    coarse.moments = moments_of_blocks(own, coarse.blocks, side, code);
-  }
-  for (int off = 0; off < kGroup; ++off) made.fine[off] = fine_blocks(own, patch.mask, off, code);
+  made.pixels = pixels_of(own, patch.mask, upwards(patch.mask.rows));
+  made.coarse = coarse_blocks(own, patch.mask, coarse_side(patch.mask), code);
+  for (int off = 0; off < kGroup; ++off) made.fine[off] = fine_blocks(own, patch.mask, off, code, made.coarse);
   return made;
 }
 

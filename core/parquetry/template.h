@@ -14,9 +14,8 @@ namespace tessera::parquetry {
 // Blocks of coarse levels have one of these sides.
 inline constexpr std::array<int, 3> kCoarseSides = {16, 8, 4};
 
-// The sides of the blocks that a patch is looked for by, one after the other: the largest of which it holds about as
-// much as of any, and the next.
-std::vector<int> coarse_sides(const cv::Mat1b& mask);
+// The side of the blocks that a patch is looked for by first: the largest of which it holds about as much as of any.
+int coarse_side(const cv::Mat1b& mask);
 
 // Blocks of `side` px, all inside the mask, that do not overlap, their corners at multiples of kGroup from row
 // `first` (0 <= first < kGroup) on.
@@ -24,21 +23,25 @@ std::vector<cv::Point> blocks_inside(const cv::Mat1b& mask, int side, int first)
 
 struct Template {
   Shape shape;
-  Stencil pixels;  // of the mask
+  Stencil pixels;  // of the mask, the lowest row first
 
   struct Coarse {
     int side = 0;
-    std::vector<cv::Point> blocks;      // in groups
+    std::vector<cv::Point> blocks;      // in groups, from above
     std::vector<std::uint8_t> moments;  // for each block and statistic the least and greatest byte
+    std::vector<int> bands;             // how many blocks end at a band of them and above, for each
+    std::vector<int> bottoms;           // the row of pixels below each band
   };
-  std::vector<Coarse> coarse;  // of coarse_sides()
+  Coarse coarse;  // of coarse_side()
 
-  // For each offset of a position from the first row of its group: the fine blocks that then are inside, from that
-  // row on, and the rows above and below them. `lost`: the most that rounding can bring the blocks' bytes nearer, a
-  // Euclidean distance.
+  // For each offset of a position from the first row of its group: the fine blocks that then are inside, the lowest
+  // row first, and the rows of pixels below and above them; and for each look at the blocks (kLook):
   struct Fine {
     Stencil blocks, strips;
-    double lost = 0;
+    std::vector<double> lost;       // the most that rounding can bring their bytes nearer, a Euclidean distance
+    std::vector<double> lost_rest;  // that of the blocks that have not been compared then; before the first look, too
+    std::vector<int> bands_above;   // the coarse bands that do not share pixels with those that have
+    std::vector<int> looks;  // for each look at `pixels`: looks at fine blocks until all left ones are above them
   };
   std::array<Fine, kGroup> fine;
 };

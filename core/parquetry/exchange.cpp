@@ -1,4 +1,4 @@
-#include "tessera/parquetry/improve.h"
+#include "tessera/parquetry/exchange.h"
 
 #include <algorithm>
 #include <numeric>
@@ -65,10 +65,7 @@ class Exchange {
     return next;
   }
 
-  std::int64_t cost(int piece) const {
-    constexpr std::int64_t kNone = std::int64_t{1} << 50;  // more than a whole picture of pieces
-    return matches_[piece] ? matches_[piece]->cost : kNone;
-  }
+  std::int64_t cost(int piece) const { return cost_or_worst(matches_[piece]); }
   int panel_of(const Match& match) const { return workshop_.matcher().views()[match.view].panel; }
   std::optional<Match> best(int piece, const Wood& wood, std::int64_t limit) {
     return limit < 0 ? std::nullopt : workshop_.matcher().best(pieces_[piece], wood, limit);
@@ -128,7 +125,7 @@ class Exchange {
 
 }  // namespace
 
-int improve(Workshop& workshop, std::vector<Laid>& pieces, const std::function<bool()>& go_on) {
+int exchange_places(Workshop& workshop, std::vector<Laid>& pieces, const std::function<bool()>& go_on) {
   Exchange exchange(workshop, pieces);
   int moves = 0;
   std::vector<int> order(pieces.size());
