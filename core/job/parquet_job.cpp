@@ -12,6 +12,7 @@
 #include "tessera/job/parquet_folder.h"
 #include "tessera/parquetry/cut_sheets.h"
 #include "tessera/parquetry/features.h"
+#include "tessera/parquetry/morphed_patches.h"
 #include "tessera/parquetry/panels.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/plan.h"
@@ -139,6 +140,14 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   return fingerprint;
 }
 
+// 3.4, what of it comes before the matching.
+Result<std::vector<parquetry::Patch>> patches_of(const cv::Mat3b& target, const Params& params, double mm_per_px,
+                                                 const RunContext& context) {
+  if (params.grid == parquetry::GridKind::kRegular) return grid_patches(target.size(), params, mm_per_px);
+  context.stage("morphing");
+  return morphed_patches(target, params, mm_per_px);
+}
+
 // The matching (3.2, 3.3), which may be stopped and go on. `tries` counts what was tried to improve it.
 Result<parquetry::Output> match(const Job& job, const std::vector<Panel>& panels, parquetry::Request request,
                                 const RunContext& context, int& tries) {
@@ -210,7 +219,9 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
     return tl::unexpected<Status>(std::move(good.error()));
   parquetry::Request request;
   request.targets = {parquetry::at_resolution(picture.mat(), params, mm_per_px)};
-  request.patches = parquetry::grid_patches(request.targets.front().size(), params, mm_per_px);
+  auto patches = patches_of(request.targets.front(), params, mm_per_px, context);
+  if (!patches) return tl::unexpected<Status>(std::move(patches.error()));
+  request.patches = *std::move(patches);
   int tries = 0;
   auto output = match(job, *panels, request, context, tries);
   if (!output) return tl::unexpected<Status>(std::move(output.error()));

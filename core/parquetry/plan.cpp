@@ -98,12 +98,14 @@ Forecast forecast_of(const cv::Mat3b& target, const std::vector<Panel>& panels, 
 }
 
 std::string describe(const Plan& plan, const Params& params) {
-  return fmt::format(
+  const std::string text = fmt::format(
       "{} pieces in {} rows of {}, {:.1f} x {:.1f} mm\n"
       "wood: {:.0f} cm2, with kerf and clearance {:.0f} cm2\n"
       "cutting: {:.2f} m, {:.1f} minutes at {:g} mm/s\n",
       plan.pieces, plan.rows, plan.columns, plan.width_mm, plan.height_mm, plan.wood_mm2 / 100, plan.taken_mm2 / 100,
       plan.cut_mm / 1000, plan.minutes, params.cut_speed);
+  if (params.grid == GridKind::kRegular) return text;
+  return text + "counted for a regular grid: a morphed one has a piece more for each cell that an edge runs across\n";
 }
 
 std::string describe(const Forecast& forecast, const std::vector<Panel>& panels, const Params& params) {
