@@ -34,7 +34,7 @@ void apply(const cv::Mat1b& mask, cv::Mat1b& edges) {
 
 }  // namespace
 
-EdgePicture::EdgePicture(const cv::Mat3b& target, const Grid& grid, double radius, const EdgeMasks& masks) {
+EdgePicture::EdgePicture(const cv::Mat3b& target, const Grid& grid, double reach, const EdgeMasks& masks) {
   const cv::Mat3b picture = shrunk({target.data, target.cols, target.rows, static_cast<std::ptrdiff_t>(target.step)},
                                    std::max(1, kPxPerCell * grid.across()));
   px_ = {static_cast<double>(target.cols) / picture.cols, static_cast<double>(target.rows) / picture.rows};
@@ -48,8 +48,9 @@ EdgePicture::EdgePicture(const cv::Mat3b& target, const Grid& grid, double radiu
   apply(masks.bilateral, fine);
   edges_ = cv::max(cv::Mat(large), cv::Mat(fine));
   distance_ = edge_distance(edges_);
-  // Eq. 6: edges attract what is nearer than half the radius, and hold off the rest.
-  const auto r = static_cast<float>(radius / px_.x);
+  // Eq. 6: edges attract what is nearer than r / 2 and push away what is nearer than r. The paper sets r to half the
+  // grid's spacing; the edges in half of the grid would then attract nobody. Here it is r / 2 that is as long.
+  const auto r = static_cast<float>(2 * reach / px_.x);
   potential_ = cv::Mat1f(edges_.size());
   for (int y = 0; y < edges_.rows; ++y)
     for (int x = 0; x < edges_.cols; ++x)

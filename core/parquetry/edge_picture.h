@@ -18,8 +18,8 @@ struct EdgeMasks {
 // All points and lengths are in pixels of the target.
 class EdgePicture {
  public:
-  // `radius`: how far edges attract, r in Eq. 6, > 0.
-  EdgePicture(const cv::Mat3b& target, const Grid& grid, double radius, const EdgeMasks& masks = {});
+  // `reach`: how far edges attract, > 0.
+  EdgePicture(const cv::Mat3b& target, const Grid& grid, double reach, const EdgeMasks& masks = {});
 
   const cv::Mat1b& edges() const { return edges_; }  // E: 255 on an edge, else 0
   const cv::Mat1f& potential() const { return potential_; }

@@ -59,8 +59,8 @@ void add(const std::string& problem, std::string& all) {
 }  // namespace
 
 EdgePicture edge_picture_of(const cv::Mat3b& target, const Params& params, double mm_per_px, const EdgeMasks& masks) {
-  const double radius = params.attraction_mm > 0 ? params.attraction_mm : 0.5 * params.patch_mm;
-  return {target, grid_of(target.size(), params, mm_per_px), radius / mm_per_px, masks};
+  const double reach = params.attraction_mm > 0 ? params.attraction_mm : 0.5 * params.patch_mm;
+  return {target, grid_of(target.size(), params, mm_per_px), reach / mm_per_px, masks};
 }
 
 Result<MorphingGrid> morphing_grid_of(cv::Size target, const EdgePicture& edges, const Params& params,

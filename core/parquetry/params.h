@@ -29,7 +29,7 @@ struct Params {
   int adaptive_levels = 0;
   double adaptive_factor = 1.2;
   GridKind grid = GridKind::kRegular;
-  double attraction = 3;
+  double attraction = 4;
   double attraction_mm = 0;
   std::string pins;
   SeamKind seams = SeamKind::kNone;
@@ -185,9 +185,7 @@ void visit(Visitor& v, Params& p) {
                              .ui_min = 0,
                              .ui_max = 20,
                              .unit = "mm",
-                             .help = "Grid morphed: corners within half of this go to an edge, those within the rest "
-                                     "of it away from it; 0 takes half of patchMm",
-                             .symbol = "r",
+                             .help = "Grid morphed: how far edges attract corners; 0 takes half of patchMm",
                              .advanced = true});
   v.text(p.pins, {.key = "pins",
                   .help = "Grid morphed: corners laid by hand, column,row:x,y in mm: 3,4:123.5,87.2; 5,4:150,88",
