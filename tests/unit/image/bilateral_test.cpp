@@ -52,7 +52,7 @@ TEST(RollingGuidance, DropsWhatIsSmallAndKeepsEdges) {
   Rng rng(2, RngPurpose::kNoise);
   cv::Mat1b picture = noise(rng, {60, 60}, 60, 8);
   picture.colRange(30, 60) += 120;
-  for (int dot = 0; dot < 8; ++dot) picture(cv::Rect(4 + 6 * (dot % 4), 10 + 30 * (dot / 4), 2, 2)).setTo(200);
+  for (int dot = 0; dot < 4; ++dot) picture(cv::Rect(4 + 14 * (dot % 2), 12 + 30 * (dot / 2), 2, 2)).setTo(200);
   const cv::Mat1b smooth = rolling_guidance(picture, {3, 25}, 4);
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 24; ++x) EXPECT_NEAR(smooth(y, x), 60, 14) << x << ' ' << y;
