@@ -15,7 +15,7 @@ constexpr double kFlatness = 0.1;   // of the error, what is left to the lines t
 constexpr double kStray = 0.22;     // of an edge's length: so far from its chord it may follow the picture
 constexpr double kOn = 1.0;         // px of the edge picture: that near a line is on an edge
 constexpr double kFollowed = 0.85;  // share of a line that is to be on edges
-constexpr int kSmoothings = 8;      // passes of a kernel of 1 2 1
+constexpr int kSmoothings = 24;     // passes of a kernel of 1 2 1
 constexpr double kCorridor = 0.7;   // px of the edge picture, within which they move a point
 constexpr double kSharpest = 0.73;  // cosine of 43 degrees: sharper corners break off
 constexpr double kSteepest = 0.5;   // cosine of 60 degrees: smooth edges leave their chords by no more
@@ -88,18 +88,18 @@ bool is_sound(Point a, Point b, Point c, double least_width) {
   return 2 * std::abs(cross(b - a, c - a)) / around >= least_width;
 }
 
-// Whether a piece holds together: its roomiest place, its necks, and that no disc of the least width, two pixels
-// less, misses more of it than in a corner of 43 degrees. First with larger pixels and a wider disc.
+// Whether a piece holds together: its roomiest place, its necks, and that no disc of the least width, a pixel less,
+// misses more of it than in a corner of 44 degrees. Most miss so little that larger pixels tell.
 bool is_wide(const Ring& ring, double width) {
-  constexpr double kTail = 1.3;  // squared radii
+  constexpr double kTail = 1.25, kClearlyNone = 0.7;  // squared radii; pixels add or take some hundredths
   const Polygon polygon{ring, {}};
-  const auto holds = [&](double least, double precision) {
-    return narrowest_neck(polygon, least, precision).width >= least &&
-           largest_thin_part(polygon, least, precision).area <= kTail * width * width / 4;
+  const auto has_tails = [&](double least, double precision, double most) {
+    return largest_thin_part(polygon, least, precision).area > most * width * width / 4;
   };
   const double precision = fair_precision(polygon, 0.01 * width), coarse = 3 * precision;
-  if (holds(width + 2 * coarse, coarse)) return true;
-  return 2 * largest_inscribed(polygon, 0.002 * width).radius >= width && holds(width - 2 * precision, precision);
+  if (2 * largest_inscribed(polygon, 0.001 * width).radius < width) return false;
+  if (has_tails(width + coarse, coarse, kClearlyNone) && has_tails(width - precision, precision, kTail)) return false;
+  return narrowest_neck(polygon, width - precision, precision).width >= width - precision;
 }
 
 enum class Kind { kSmooth, kFitted, kStraight };

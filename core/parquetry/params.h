@@ -248,7 +248,7 @@ void check(const Params& p, Report&& report) {
     report("pins", "are set where the grid is regular, expected none, or grid morphed");
   }
   if (p.seams != SeamKind::kNone) {
-    if (p.adaptive_levels > 0)
+    if (p.adaptive_levels > 0 && p.grid == GridKind::kRegular)
       report("adaptiveLevels", "is above 0 where there are seams, expected 0: seams join whole patches of the grid");
     if (p.overlap_mm > p.patch_mm - p.min_width_mm)
       report("overlapMm", "is more than patchMm less minWidthMm, expected at most that");
