@@ -55,18 +55,27 @@ TEST(ParametersTest, EveryDescriptionIsComplete) {
 TEST(ParametersTest, WritesWhatItReads) {
   for (const Technique& technique : techniques()) {
     const Json defaults = write_params(technique.defaults);
-    Json changed = defaults;
+    const auto goes_round = [&](const Json& changed) {
+      TechniqueParams params = technique.defaults;
+      Problems problems;
+      read_params(changed, params, problems);
+      EXPECT_TRUE(problems.empty()) << changed;
+      EXPECT_EQ(write_params(params), changed);
+    };
+    Json largest = defaults;
     for (const Parameter& parameter : parameters_of(technique.defaults)) {
-      Json& value = changed[parameter.info.key];
-      if (!parameter.choices.empty()) value = parameter.choices.back().name;
+      Json& value = largest[parameter.info.key];
       if (value.is_number()) value = tidy_number(parameter.info.max);
     }
-    TechniqueParams params = technique.defaults;
-    Problems problems;
-    read_params(changed, params, problems);
-    EXPECT_TRUE(problems.empty());
-    EXPECT_EQ(write_params(params), changed);
-    EXPECT_NE(write_params(params), defaults);
+    EXPECT_NE(largest, defaults);
+    goes_round(largest);
+    // One by one: not all choices go together.
+    for (const Parameter& parameter : parameters_of(technique.defaults))
+      for (const auto& choice : parameter.choices) {
+        Json changed = defaults;
+        changed[parameter.info.key] = choice.name;
+        goes_round(changed);
+      }
   }
 }
 

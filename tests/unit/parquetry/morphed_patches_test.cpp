@@ -10,6 +10,7 @@
 #include "tessera/geometry/inscribed.h"
 #include "tessera/geometry/narrow.h"
 #include "tessera/parquetry/pieces.h"
+#include "tessera/parquetry/state.h"
 
 namespace tessera::parquetry {
 namespace {
@@ -165,6 +166,24 @@ TEST(MorphedPatches, AreSplitWhereAnEdgeRunsAlongDiagonals) {
     }
     EXPECT_GE(light, 5) << falling;
     EXPECT_GE(dark, 5) << falling;
+  }
+}
+
+TEST(MorphedPatches, AreToldApartInAStateThatWasPutAside) {
+  const Params params = morphed();
+  cv::Mat3b target(4 * kCell, 4 * kCell, cv::Vec3b(220, 220, 220));
+  for (int y = 0; y < target.rows; ++y) target.row(y).colRange(0, y).setTo(cv::Vec3b(30, 30, 30));
+  const std::vector<Patch> patches = patches_for(target, params);
+  EXPECT_GT(patches.size(), 16);
+  std::vector<Laid> laid;
+  for (std::size_t i = patches.size(); i-- > 0;)
+    laid.push_back({patches[i], Placement{.panel = static_cast<int>(i)}});
+  const auto read = read_state(write_state(7, laid), 7, patches, params, kMm);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->size(), laid.size());
+  for (std::size_t i = 0; i < laid.size(); ++i) {
+    EXPECT_EQ((*read)[i].patch.outline.outer, laid[i].patch.outline.outer);
+    EXPECT_EQ((*read)[i].placement.panel, laid[i].placement.panel);
   }
 }
 
