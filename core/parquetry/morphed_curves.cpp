@@ -76,7 +76,7 @@ class Tracer {
   const EdgePicture& edges_;
 };
 
-// Of triangles made of straight sides: no corner sharper than 43 degrees, and room for a disc.
+// Of triangles made of straight sides: no corner sharper than 43 degrees (curves can do better), and room for a disc.
 bool is_sound(Point a, Point b, Point c, double least_width) {
   const Point corners[] = {a, b, c};
   double around = 0;

@@ -176,8 +176,10 @@ TEST(MorphedPatches, AreToldApartInAStateThatWasPutAside) {
   const std::vector<Patch> patches = patches_for(target, params);
   EXPECT_GT(patches.size(), 16);
   std::vector<Laid> laid;
-  for (std::size_t i = patches.size(); i-- > 0;)
-    laid.push_back({patches[i], Placement{.panel = static_cast<int>(i)}});
+  for (std::size_t i = patches.size(); i-- > 0;) {
+    laid.push_back({patches[i], {}});
+    laid.back().placement.panel = static_cast<int>(i);
+  }
   const auto read = read_state(write_state(7, laid), 7, patches, params, kMm);
   ASSERT_TRUE(read);
   ASSERT_EQ(read->size(), laid.size());
