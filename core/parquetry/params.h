@@ -243,7 +243,7 @@ void check(const Params& p, Report&& report) {
       report("seams", "are set where the grid is morphed, expected none: they join patches of a regular grid");
     if (p.adaptive_levels > 0)
       report("adaptiveLevels", "is above 0 where the grid is morphed, expected 0: only rectangles are quartered");
-    read_pins(p.pins, [&](std::string message) { report("pins", message.c_str()); });
+    read_pins(p.pins, [&](const std::string& message) { report("pins", message.c_str()); });
   } else if (!p.pins.empty()) {
     report("pins", "are set where the grid is regular, expected none, or grid morphed");
   }
@@ -253,7 +253,7 @@ void check(const Params& p, Report&& report) {
     if (p.overlap_mm > p.patch_mm - p.min_width_mm)
       report("overlapMm", "is more than patchMm less minWidthMm, expected at most that");
   }
-  read_panel_options(p.panels, [&](std::string message) { report("panels", message.c_str()); });
+  read_panel_options(p.panels, [&](const std::string& message) { report("panels", message.c_str()); });
 }
 
 }  // namespace tessera::parquetry
