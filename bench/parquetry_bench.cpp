@@ -1,6 +1,6 @@
 // Matching on one thread: how the time for a patch grows with the panel's pixels, the rotations and the patches, as
 // an exponent. What is built once for all patches is measured with them. How a panel is used up; seams between 900
-// pieces, and their curves.
+// pieces, and their curves; a grid of 40 x 40 cells that follows a picture, and a step of its relaxation.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "tessera/base/rng.h"
 #include "tessera/parquetry/features.h"
+#include "tessera/parquetry/morphed_patches.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/run.h"
 #include "tessera/parquetry/seam_curves.h"
@@ -149,6 +150,38 @@ void seam_curves(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(network_of(made.grid, found, kError, Joints::kG1));
 }
 BENCHMARK(seam_curves)->Unit(benchmark::kSecond);
+
+// Waves in five levels: contours everywhere.
+cv::Mat3b contours(int side) {
+  cv::Mat3b picture = waves(side);
+  for (cv::Vec3b& pixel : picture) pixel = cv::Vec3b::all(static_cast<std::uint8_t>(pixel[0] / 51 * 51));
+  return picture;
+}
+
+constexpr double kMmPerPx = 0.254;  // 100 dpi
+
+parquetry::Params morphed_40() {
+  parquetry::Params params;
+  params.grid = parquetry::GridKind::kMorphed;
+  params.patch_mm = 40 * kMmPerPx;
+  return params;
+}
+
+void morphed_patches_40(benchmark::State& state) {
+  cv::setNumThreads(1);
+  const cv::Mat3b target = contours(1600);
+  for (auto _ : state) benchmark::DoNotOptimize(parquetry::morphed_patches(target, morphed_40(), kMmPerPx));
+}
+BENCHMARK(morphed_patches_40)->Unit(benchmark::kSecond);
+
+void morphing_step_40(benchmark::State& state) {
+  cv::setNumThreads(1);
+  const cv::Mat3b target = contours(1600);
+  const parquetry::EdgePicture edges = parquetry::edge_picture_of(target, morphed_40(), kMmPerPx);
+  auto grid = parquetry::morphing_grid_of(target.size(), edges, morphed_40(), kMmPerPx);
+  for (auto _ : state) benchmark::DoNotOptimize(grid->step());
+}
+BENCHMARK(morphing_step_40)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace tessera

@@ -189,6 +189,37 @@ std::vector<Bezier> fit_beziers(const Ring& line, double error, Joints joints, P
   return fit.take();
 }
 
+std::vector<Bezier> spline_through(const Ring& points, Point start, Point end) {
+  assert(points.size() >= 2);
+  const std::size_t last = points.size() - 1;
+  std::vector<double> h;
+  for (std::size_t i = 0; i < last; ++i) h.push_back(length(points[i + 1] - points[i]));
+  const auto slope = [&](std::size_t i) { return (1 / h[i]) * (points[i + 1] - points[i]); };
+  // below[i] d[i - 1] + own[i] d[i] + above[i] d[i + 1] = right[i] for the derivatives d.
+  std::vector<double> below(last + 1, 0), own(last + 1, 1), above(last + 1, 0);
+  Ring right(last + 1);
+  right[0] = start, right[last] = end;
+  if (start == Point{}) own[0] = 2, above[0] = 1, right[0] = 3.0 * slope(0);
+  if (end == Point{}) below[last] = 1, own[last] = 2, right[last] = 3.0 * slope(last - 1);
+  for (std::size_t i = 1; i < last; ++i) {
+    below[i] = h[i], own[i] = 2 * (h[i - 1] + h[i]), above[i] = h[i - 1];
+    right[i] = 3.0 * (h[i] * slope(i - 1) + h[i - 1] * slope(i));
+  }
+  for (std::size_t i = 1; i <= last; ++i) {
+    const double share = below[i] / own[i - 1];
+    own[i] -= share * above[i - 1];
+    right[i] -= share * right[i - 1];
+  }
+  Ring d(last + 1);
+  d[last] = (1 / own[last]) * right[last];
+  for (std::size_t i = last; i-- > 0;) d[i] = (1 / own[i]) * (right[i] - above[i] * d[i + 1]);
+  std::vector<Bezier> curves;
+  for (std::size_t i = 0; i < last; ++i)
+    curves.push_back(
+        {points[i], points[i] + (h[i] / 3) * d[i], points[i + 1] - (h[i] / 3) * d[i + 1], points[i + 1]});
+  return curves;
+}
+
 void flatten(const Bezier& c, double tolerance, Ring& line) {
   assert(tolerance > 0);
   // A chord over h of the parameter is off by h^2 / 8 of the second derivative at most, and that is the larger of its

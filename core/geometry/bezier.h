@@ -27,6 +27,11 @@ enum class Joints { kG0, kG1 };
 // alone; here the curve between them counts, too.
 std::vector<Bezier> fit_beziers(const Ring& line, double error, Joints joints, Point start = {}, Point end = {});
 
+// Curves through the points, one from each to the next, that meet in one direction and with one curvature (G2): a
+// cubic spline whose parameter is the length of the chords. Two points or more, none repeated. At its ends the spline
+// has the directions `start` and `end`, unit vectors; (0, 0): no curvature there (a natural spline).
+std::vector<Bezier> spline_through(const Ring& points, Point start = {}, Point end = {});
+
 // Appends points of the curve after its first, up to its last, the lines between them no farther from it than
 // `tolerance` (> 0).
 void flatten(const Bezier& curve, double tolerance, Ring& line);

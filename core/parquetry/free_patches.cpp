@@ -11,6 +11,7 @@
 #include "tessera/geometry/narrow.h"
 #include "tessera/geometry/scan.h"
 #include "tessera/image/zones.h"
+#include "tessera/parquetry/morphed_patches.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/spacing.h"
 #include "tessera/voronoi/smooth_outlines.h"
@@ -184,6 +185,7 @@ Result<std::vector<Patch>> patches_of(const cv::Mat3b& target, const ImageView& 
   }
   if (params.posterize > 0)
     return free_patches(posterized_regions(target, params, mm_per_px), params, mm_per_px, target_index);
+  if (params.grid == GridKind::kMorphed) return morphed_patches(target, params, mm_per_px, {}, target_index);
   return grid_patches(target.size(), params, mm_per_px, target_index);
 }
 

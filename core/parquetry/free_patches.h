@@ -46,7 +46,7 @@ Result<std::vector<Patch>> free_patches(Segmentation segmentation, const Params&
                                         int target_index = 0);
 
 // Those of a target at the panels' resolution: of `segmentation` if that has pixels, else of its tones where
-// `posterize` is above 0, else of a grid.
+// `posterize` is above 0, else of a grid, regular or morphed.
 Result<std::vector<Patch>> patches_of(const cv::Mat3b& target, const ImageView& segmentation, const Params& params,
                                       double mm_per_px, int target_index = 0);
 

@@ -6,6 +6,7 @@
 
 #include "tessera/base/parameter.h"
 #include "tessera/parquetry/panel_options.h"
+#include "tessera/parquetry/pins.h"
 #include "tessera/parquetry/registration.h"
 
 namespace tessera::parquetry {
@@ -16,6 +17,7 @@ enum class Side { kBack, kFront };
 enum class ThinParts { kRepair, kRefuse };
 enum class Enclosed { kSplit, kKeep };
 enum class Grain { kAny, kAligned, kDegrees };
+enum class GridKind { kRegular, kMorphed };
 enum class SeamKind { kNone, kG0, kG1 };
 
 struct Params {
@@ -29,6 +31,10 @@ struct Params {
   double resolution_dpi = 0;
   int adaptive_levels = 0;
   double adaptive_factor = 1.2;
+  GridKind grid = GridKind::kRegular;
+  double attraction = 4;
+  double attraction_mm = 0;
+  std::string pins;
   SeamKind seams = SeamKind::kNone;
   double overlap_mm = 0;
   double seam_error_mm = 0.1;
@@ -98,6 +104,9 @@ void visit(Visitor& v, Params& p) {
                                 .ui_max = 1,
                                 .help = "How far the target's tones are moved to those of the wood",
                                 .symbol = "w_hist"});
+  v.choice(p.grid, {.key = "grid", .help = "What the picture is cut into"},
+           {{GridKind::kRegular, "regular", "squares"},
+            {GridKind::kMorphed, "morphed", "cells whose sides follow the picture's edges"}});
   v.choice(p.seams, {.key = "seams", .help = "Whether cuts between patches are laid where the picture gains most"},
            {{SeamKind::kNone, "none", "straight cuts"},
             {SeamKind::kG0, "g0", "curves that may have corners"},
@@ -205,6 +214,25 @@ void visit(Visitor& v, Params& p) {
             .ui_max = 2,
             .help = "A patch is quartered where its quarters together cost less than this times its own cost",
             .symbol = "w_adaptive"});
+  v.number(p.attraction, {.key = "attraction",
+                          .min = 0,
+                          .max = 20,
+                          .ui_min = 0,
+                          .ui_max = 8,
+                          .help = "Grid morphed: how strongly edges attract corners, which else lie evenly",
+                          .symbol = "w",
+                          .advanced = true});
+  v.number(p.attraction_mm, {.key = "attractionMm",
+                             .min = 0,
+                             .max = 500,
+                             .ui_min = 0,
+                             .ui_max = 20,
+                             .unit = "mm",
+                             .help = "Grid morphed: how far edges attract corners; 0 takes half of patchMm",
+                             .advanced = true});
+  v.text(p.pins, {.key = "pins",
+                  .help = "Grid morphed: corners laid by hand, column,row:x,y in mm: 3,4:123.5,87.2; 5,4:150,88",
+                  .advanced = true});
   v.number(p.overlap_mm,
            {.key = "overlapMm",
             .min = 0,
@@ -220,7 +248,7 @@ void visit(Visitor& v, Params& p) {
                              .ui_min = 0.02,
                              .ui_max = 0.5,
                              .unit = "mm",
-                             .help = "Seams: how far curves may be from the cuts they follow",
+                             .help = "Seams, grid morphed: how far curves may be from what they follow",
                              .advanced = true});
   v.number(p.weight_colour, {.key = "weightColour",
                              .min = 0,
@@ -253,13 +281,22 @@ template <class Report>
 void check(const Params& p, Report&& report) {
   if (p.patch_mm < p.min_width_mm) report("patchMm", "is less than minWidthMm, expected at least that");
   if (p.patch_mm > p.image_size_mm) report("patchMm", "is more than imageSizeMm, expected at most that");
-  if (p.seams != SeamKind::kNone) {
+  if (p.grid == GridKind::kMorphed) {
+    if (p.seams != SeamKind::kNone)
+      report("seams", "are set where the grid is morphed, expected none: they join patches of a regular grid");
     if (p.adaptive_levels > 0)
+      report("adaptiveLevels", "is above 0 where the grid is morphed, expected 0: only rectangles are quartered");
+    read_pins(p.pins, [&](const std::string& message) { report("pins", message.c_str()); });
+  } else if (!p.pins.empty()) {
+    report("pins", "are set where the grid is regular, expected none, or grid morphed");
+  }
+  if (p.seams != SeamKind::kNone) {
+    if (p.adaptive_levels > 0 && p.grid == GridKind::kRegular)
       report("adaptiveLevels", "is above 0 where there are seams, expected 0: seams join whole patches of the grid");
     if (p.overlap_mm > p.patch_mm - p.min_width_mm)
       report("overlapMm", "is more than patchMm less minWidthMm, expected at most that");
   }
-  read_panel_options(p.panels, [&](std::string message) { report("panels", message.c_str()); });
+  read_panel_options(p.panels, [&](const std::string& message) { report("panels", message.c_str()); });
 }
 
 }  // namespace tessera::parquetry

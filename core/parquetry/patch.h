@@ -12,6 +12,7 @@ namespace tessera::parquetry {
 // sides to the last bit, and together they are the target.
 struct Patch {
   int row = 0, column = 0;  // of the grid, counted from 0; quarters of an adaptive patch have those of their parent
+  int part = 0;             // of a cell of the grid that is cut into triangles: 0 or 1
   int level = 0;            // how often it was quartered
   int target = 0;           // which target picture, where several are made from the same panels
   Polygon outline;          // clockwise on the screen

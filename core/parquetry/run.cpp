@@ -59,8 +59,8 @@ Result<void> check(const std::vector<Panel>& panels, const Request& request, con
 }
 
 // A patch of the grid, and its quarters.
-using Place = std::array<int, 3>;
-Place place_of(const Patch& patch) { return {patch.target, patch.row, patch.column}; }
+using Place = std::array<int, 4>;
+Place place_of(const Patch& patch) { return {patch.target, patch.row, patch.column, patch.part}; }
 
 Output collected(std::vector<Laid> pieces) {
   // Quarters stay in their order.

@@ -11,14 +11,16 @@
 namespace tessera::parquetry {
 namespace {
 
-constexpr std::string_view kFirstLine = "tessera parquetry state 1";
-constexpr std::size_t kNumbers = 18;
+constexpr std::string_view kFirstLine = "tessera parquetry state 2";
+constexpr std::size_t kNumbers = 19;
 
 // Patches and all the quarters of them, as far as they are asked for.
 std::optional<Patch> find(const std::vector<Patch>& patches, const Patch& wanted, const Params& params,
                           double mm_per_px) {
   for (const Patch& patch : patches) {
-    if (patch.target != wanted.target || patch.row != wanted.row || patch.column != wanted.column) continue;
+    if (patch.target != wanted.target || patch.row != wanted.row || patch.column != wanted.column ||
+        patch.part != wanted.part)
+      continue;
     if (patch.level == wanted.level && patch.box == wanted.box) return patch;
     if (patch.level >= wanted.level || (patch.box & wanted.box).empty()) continue;
     if (auto quarter = find(quarters(patch, params, mm_per_px), wanted, params, mm_per_px)) return quarter;
@@ -50,9 +52,10 @@ std::uint64_t fingerprint_of(const cv::Mat& pixels, std::uint64_t before) {
 std::string write_state(std::uint64_t fingerprint, const std::vector<Laid>& laid) {
   std::string out = fmt::format("{}\n{:016x}\n", kFirstLine, fingerprint);
   for (const auto& [patch, p] : laid)
-    out += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", patch.target, patch.row,
-                       patch.column, patch.level, patch.box.x, patch.box.y, patch.box.width, patch.box.height,
-                       p.panel, p.rotation, p.at.x, p.at.y, p.cost, p.turn_deg, p.from.x, p.from.y, p.to.x, p.to.y);
+    out += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", patch.target, patch.row,
+                       patch.column, patch.part, patch.level, patch.box.x, patch.box.y, patch.box.width,
+                       patch.box.height, p.panel, p.rotation, p.at.x, p.at.y, p.cost, p.turn_deg, p.from.x, p.from.y,
+                       p.to.x, p.to.y);
   return out;
 }
 
@@ -68,14 +71,14 @@ std::optional<std::vector<Laid>> read_state(std::string_view text, std::uint64_t
     if (!read_numbers(lines[i], n)) return std::nullopt;
     const auto whole = [&](std::size_t k) { return static_cast<int>(n[k]); };
     Patch wanted;
-    wanted.target = whole(0), wanted.row = whole(1), wanted.column = whole(2), wanted.level = whole(3);
-    wanted.box = {whole(4), whole(5), whole(6), whole(7)};
+    wanted.target = whole(0), wanted.row = whole(1), wanted.column = whole(2), wanted.part = whole(3);
+    wanted.level = whole(4), wanted.box = {whole(5), whole(6), whole(7), whole(8)};
     const auto patch = find(patches, wanted, params, mm_per_px);
     if (!patch) return std::nullopt;
     Placement placement;
-    placement.panel = whole(8), placement.rotation = whole(9), placement.at = {whole(10), whole(11)};
-    placement.cost = static_cast<std::int64_t>(n[12]), placement.turn_deg = n[13];
-    placement.from = {n[14], n[15]}, placement.to = {n[16], n[17]};
+    placement.panel = whole(9), placement.rotation = whole(10), placement.at = {whole(11), whole(12)};
+    placement.cost = static_cast<std::int64_t>(n[13]), placement.turn_deg = n[14];
+    placement.from = {n[15], n[16]}, placement.to = {n[17], n[18]};
     laid.push_back({*patch, placement});
   }
   return laid;

@@ -277,6 +277,38 @@ class ParquetTest(CliTest):
         self.succeed(*flags, '-o', 'out', '--resume')
         self.assertEqual(self.files('out'), self.files('whole'))
 
+    def test_a_morphed_grid(self):
+        # Dark below a diagonal; dark and light wood.
+        self.put('target.png', png(90, 90, lambda x, y: 40 if y > x + 1 else 210))
+        self.put('two.png', png(360, 240, lambda x, y: (40 if x < 180 else 210) + (x * 7 + y * 131) % 13))
+        self.put('all.png', png(360, 240, lambda x, y: 255))
+        board = ['--panel', 'two.png,name=oak,dpi=60,mask=all.png', '--min-width-mm', 4]
+        self.parquet(*board, '--grid', 'regular', '-o', 'regular')
+        self.parquet(*board, '--grid', 'morphed', '--pins', '4,1:41,10.5', '-o', 'out')
+        self.assertIn('patches', {s['name'] for s in self.report()['stages']})
+        rows = self.rows()
+        self.assertGreater(len(rows), 36)
+        self.assertTrue({'B2a', 'B2b', 'C3a', 'C3b', 'A2', 'B1'} <= {row['id'] for row in rows})
+        self.assertAlmostEqual(sum(float(row['area_mm2']) for row in rows), 60 * 60, delta=100)
+        for row in rows:
+            self.assertGreaterEqual(float(row['min_width_mm']), 4)
+        self.assertLess(self.report()['metrics']['cost'], 0.9 * self.report('regular')['metrics']['cost'])
+        # A side of two pieces is drawn with the same points, the corner that was laid among them.
+        points = {name: set(re.findall(r'-?[\d.]+[ ,]-?[\d.]+', path))
+                  for name, path in self.paths('out/assembly.svg', 'outlines').items()}
+        self.assertGreaterEqual(len(points['piece-B2a'] & points['piece-B2b']), 2)
+        self.assertGreaterEqual(len(set.intersection(*(points[f'piece-{name}'] for name in ('D1', 'E1', 'D2', 'E2')))), 1)
+        self.succeed('run', 'out/job.json', '-o', 'again', '--threads', 1)
+        self.assertEqual(self.files(), self.files('again'))
+        plan = self.succeed('parquet', 'target.png', *SMALL, '--grid', 'morphed', '--plan').stdout
+        self.assertIn(b'36 pieces', plan)
+        self.assertIn(b'regular grid', plan)
+        self.fail_with(2, 'parquet', 'target.png', *SMALL, *board, '--grid', 'morphed', '--seams', 'g1', '--adaptive-levels', 1,
+                       '--pins', '3', '-o', 'no', lines=3, says=['seams', 'adaptiveLevels', 'pins'])
+        self.fail_with(2, 'parquet', 'target.png', *SMALL, *board, '--grid', 'morphed', '--pins', '1,1:50,50', '-o', 'no',
+                       says=['pins', '1,1'])
+        self.fail_with(2, 'parquet', 'target.png', *SMALL, *board, '--pins', '1,1:11,11', '-o', 'no', says=['pins', 'morphed'])
+
     def test_masks_keep_pieces_off(self):
         self.put('mask.png', png(300, 240, lambda x, y: 255 if x < 200 else 0))
         self.parquet('--panel', 'board.png,mask=mask.png,name=oak', '--side', 'front', '-o', 'out')

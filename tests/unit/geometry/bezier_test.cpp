@@ -108,5 +108,45 @@ TEST(Bezier, IsFlatWithinTheTolerance) {
   EXPECT_EQ(line.size(), 2u);
 }
 
+// Signed, at the end of one curve and the beginning of another.
+double curvature_after(const Bezier& c) {
+  return 2.0 / 3 * cross(c[1] - c[0], c[2] - c[1]) / std::pow(length(c[1] - c[0]), 3);
+}
+double curvature_before(const Bezier& c) { return curvature_after({c[3], c[2], c[1], c[0]}) * -1; }
+
+TEST(Spline, IsSmoothToTheSecondOrder) {
+  Rng rng(3, RngPurpose::kShapes);
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Ring points;
+    for (int k = 0; k < 2 + seed % 9; ++k) points.push_back({10 * k + rng.uniform(-4, 4), rng.uniform(-4, 4)});
+    const double way = rng.uniform(-1, 1);
+    const Point start = seed % 3 == 0 ? Point{} : Point{std::cos(way), std::sin(way)};
+    const Point end = seed % 2 == 0 ? Point{} : Point{std::cos(way), -std::sin(way)};
+    const auto curves = spline_through(points, start, end);
+    ASSERT_EQ(curves.size() + 1, points.size());
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      EXPECT_EQ(curves[k][0], points[k]);
+      EXPECT_EQ(curves[k][3], points[k + 1]);
+      if (k == 0) continue;
+      EXPECT_LT(turn_between(curves[k - 1][3] - curves[k - 1][2], curves[k][1] - curves[k][0]), 1e-9);
+      EXPECT_NEAR(curvature_before(curves[k - 1]), curvature_after(curves[k]), 1e-9);
+    }
+    if (start == Point{})
+      EXPECT_NEAR(curvature_after(curves.front()), 0, 1e-9);
+    else
+      EXPECT_LT(turn_between(start, curves.front()[1] - curves.front()[0]), 1e-9);
+    if (end == Point{})
+      EXPECT_NEAR(curvature_before(curves.back()), 0, 1e-9);
+    else
+      EXPECT_LT(turn_between(end, curves.back()[3] - curves.back()[2]), 1e-9);
+  }
+}
+
+TEST(Spline, OfPointsOnALineIsTheLine) {
+  for (const Bezier& curve : spline_through({{0, 0}, {1, 2}, {4, 8}, {5, 10}}))
+    for (const Point p : curve) EXPECT_NEAR(2 * p.x, p.y, 1e-12);
+}
+
 }  // namespace
 }  // namespace tessera

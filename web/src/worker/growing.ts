@@ -7,7 +7,7 @@ const kInchMm = 25.4;
 const kFinestDpi = 150; // of matching, and
 const kUnknownDpi = 300; // of a scan of which nobody says it; both as in core/parquetry/panels.cpp
 const kMaxSide = 1400; // px of the growing picture
-const kNumbers = 18;
+const kNumbers = 19;
 
 export interface Laid {
   /** Which target, or copy of it, counted from 0. */
@@ -41,16 +41,16 @@ export function readLaid(state: string, begin: number): Laid[] {
       target: n[0]!,
       row: n[1]!,
       column: n[2]!,
-      level: n[3]!,
-      x: n[4]!,
-      y: n[5]!,
-      width: n[6]!,
-      height: n[7]!,
-      panel: n[8]!,
-      cost: n[12]!,
-      turn: n[13]!,
-      from: [n[14]!, n[15]!],
-      to: [n[16]!, n[17]!],
+      level: n[4]!,
+      x: n[5]!,
+      y: n[6]!,
+      width: n[7]!,
+      height: n[8]!,
+      panel: n[9]!,
+      cost: n[13]!,
+      turn: n[14]!,
+      from: [n[15]!, n[16]!],
+      to: [n[17]!, n[18]!],
     }));
 }
 

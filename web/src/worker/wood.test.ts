@@ -19,8 +19,8 @@ test('a piece lies on its panel turned back, its centroid where the table says',
 });
 
 test('what has been laid is read from where one was', () => {
-  const line = '0 1 2 0 20 10 10 10 0 1 3 4 77 90 25 15 100 50';
-  const state = `tessera parquetry state 1\n0123456789abcdef\n${line}\n${line.replace('77', '78')}\n`;
+  const line = '0 1 2 0 0 20 10 10 10 0 1 3 4 77 90 25 15 100 50';
+  const state = `tessera parquetry state 2\n0123456789abcdef\n${line}\n${line.replace('77', '78')}\n`;
   expect(readLaid(state, 0).map(({ cost }) => cost)).toEqual([77, 78]);
   const [laid] = readLaid(state, 1);
   expect(laid).toMatchObject({
