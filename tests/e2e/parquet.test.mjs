@@ -77,6 +77,23 @@ async function chooseAll(app, page, folder) {
 const unzip = ({ bytes }) => new Map(Object.entries(unzipSync(bytes)).map(([name, data]) => [name, Buffer.from(data)]));
 const rowsOf = (csv) => csv.toString().trim().split('\n').slice(1).map((line) => line.split(','));
 
+/** That the folder in a ZIP is what the native program makes of the job; its files. */
+function sameAsNative(zip, job, folder) {
+  const files = unzip(zip);
+  writeFileSync(join(folder, 'job.json'), job.text);
+  native('run', join(folder, 'job.json'), '-o', join(folder, 'out/'));
+  const made = readdirSync(join(folder, 'out')).sort();
+  assert.deepEqual([...files.keys()].sort(), made);
+  assert.ok(made.includes('panel-elm.cut.dxf'), made.join());
+  for (const name of made.filter((name) => /\.(csv|png|dxf)$/.test(name)))
+    assert.ok(files.get(name).equals(readFileSync(join(folder, 'out', name))), `${name} differs`);
+  for (const name of made.filter((name) => name.endsWith('.svg'))) {
+    const drawn = (svg) => svg.toString().replace(/<metadata>[\s\S]*?<\/metadata>/, '');
+    assert.equal(drawn(files.get(name)), drawn(readFileSync(join(folder, 'out', name))), name);
+  }
+  return files;
+}
+
 for (const isolated of [true, false]) {
   const build = isolated ? 'threads' : 'single';
 
@@ -92,18 +109,7 @@ for (const isolated of [true, false]) {
         'panel-oak': 'oak.png',
         'panel-elm': 'elm.png',
       });
-      const files = unzip(zip);
-      writeFileSync(join(folder, 'job.json'), job.text);
-      native('run', join(folder, 'job.json'), '-o', join(folder, 'out/'));
-      const made = readdirSync(join(folder, 'out')).sort();
-      assert.deepEqual([...files.keys()].sort(), made);
-      assert.ok(made.includes('panel-elm.cut.dxf'), made.join());
-      for (const name of made.filter((name) => /\.(csv|png|dxf)$/.test(name)))
-        assert.ok(files.get(name).equals(readFileSync(join(folder, 'out', name))), `${name} differs`);
-      for (const name of made.filter((name) => name.endsWith('.svg'))) {
-        const drawn = (svg) => svg.toString().replace(/<metadata>[\s\S]*?<\/metadata>/, '');
-        assert.equal(drawn(files.get(name)), drawn(readFileSync(join(folder, 'out', name))), name);
-      }
+      const files = sameAsNative(zip, job, folder);
       assert.deepEqual(JSON.parse(files.get('job.json')), JSON.parse(job.text));
       const report = JSON.parse(files.get('report.json'));
       const nativeReport = JSON.parse(readFileSync(join(folder, 'out/report.json')));
@@ -122,6 +128,15 @@ for (const isolated of [true, false]) {
     });
   });
 }
+
+test('pieces of any shape are the same as the native program\'s', async () => {
+  for (const shape of ['grid=morphed&minWidthMm=4', 'seams=g1', 'posterize=3'])
+    await withParquet({ hash: `#technique=parquetry&imageSizeMm=60&patchMm=12&rotations=4&${shape}` }, async (app, page, folder) => {
+      await chooseAll(app, page, folder);
+      const files = sameAsNative(await app.download('ZIP'), await app.download('job'), folder);
+      assert.ok(rowsOf(files.get('pieces.csv')).length > 4, shape);
+    });
+});
 
 test('pieces come one after the other, and a run is cancelled', async () => {
   await withParquet({}, async (app, page, folder) => {
