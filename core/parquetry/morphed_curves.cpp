@@ -326,13 +326,6 @@ class Curves {
   std::vector<Cut> diagonals_;
 };
 
-void append(const Ring& edge, bool backwards, Ring& ring) {
-  if (backwards)
-    ring.insert(ring.end(), edge.rbegin(), edge.rend() - 1);
-  else
-    ring.insert(ring.end(), edge.begin(), edge.end() - 1);
-}
-
 }  // namespace
 
 std::vector<Ring> MorphedCells::outlines(int column, int row) const {

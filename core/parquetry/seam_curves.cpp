@@ -93,14 +93,14 @@ class Edges {
   Joints joints_;
 };
 
+}  // namespace
+
 void append(const Ring& edge, bool backwards, Ring& ring) {
   if (backwards)
     ring.insert(ring.end(), edge.rbegin(), edge.rend() - 1);
   else
     ring.insert(ring.end(), edge.begin(), edge.end() - 1);
 }
-
-}  // namespace
 
 Ring SeamNetwork::outline(int column, int row) const {
   Ring ring;

@@ -15,6 +15,9 @@ struct SeamEdge {
   Ring flat;                   // points of these, its ends among them
 };
 
+// Adds the points of an edge but its last one, from its end on where it goes backwards.
+void append(const Ring& edge, bool backwards, Ring& ring);
+
 // All edges of a target's pieces, px of the target.
 struct SeamNetwork {
   int across = 0, down = 0;       // pieces
