@@ -54,7 +54,7 @@ Workshop::Workshop(const std::vector<Panel>& panels, const std::vector<cv::Mat3b
   }
   std::set<int> sides;
   for (const Patch& patch : with_quarters(patches, params, mm_per_px_)) {
-    sides.insert(coarse_side(patch.mask));
+    for (const Block& block : coarse_blocks(patch.mask)) sides.insert(block.side);
     reach_ = std::max(reach_, 0.5 * std::min(patch.box.width, patch.box.height));
   }
   reach_ += (params.clearance_mm + params.kerf_mm) / mm_per_px_ + kGroup;

@@ -56,7 +56,7 @@ class Matcher::Search {
           least_row = y;
         }
       }
-      if (least == kNoRoom) continue;
+      if (least > coarse_limit()) continue;
       const std::uint16_t* row = bounds(least_row);
       visit(static_cast<int>(std::find(row, row + frame_.stride, least) - row), least_row, false);
     }
@@ -116,13 +116,13 @@ class Matcher::Search {
   std::uint16_t bound_groups(int y, Span span, const std::uint8_t* room, std::uint8_t need, std::uint16_t* bounds,
                              std::uint16_t* upper) {
     const Template::Coarse& coarse = patch_.coarse;
-    const Rows& level = frame_.coarse[matcher_.level_of(coarse.side)];
-    const std::uint8_t* from = level.at(y, span.begin);
     blocks_.clear();
-    for (const cv::Point block : coarse.blocks) blocks_.push_back(level.at(y + block.y, span.begin + block.x) - from);
-    CoarseRow row{
-        from,    level.plane_size(),   2 * matcher_.code_.channels, &blocks_, coarse.moments.data(), room, need,
-        shift(), span.end - span.begin};
+    for (const Block& block : coarse.blocks) {
+      const Rows& level = frame_.coarse[matcher_.level_of(block.side)];
+      blocks_.push_back({level.at(y + block.at.y, span.begin + block.at.x), level.plane_size(), shift(block.side)});
+    }
+    CoarseRow row{&blocks_, 2 * matcher_.code_.channels, coarse.moments.data(), room,
+                  need,     span.end - span.begin,       coarse_limit()};
     row.bands = &coarse.bands;
     row.sums = upper ? upper + span.begin : nullptr;
     row.stride = upper_stride();
@@ -130,10 +130,7 @@ class Matcher::Search {
   }
 
   // To squared bytes of blocks of kUnit pixels, or larger units.
-  int shift() const {
-    const int side = patch_.coarse.side;
-    return coarser_ + (side == 16 ? 0 : side == 8 ? 2 : 4);
-  }
+  int shift(int side) const { return coarser_ + (side == 16 ? 0 : side == 8 ? 2 : 4); }
 
   // Bounds count in larger units where the limit would not fit into 16 bits.
   bool count_coarser() {
@@ -204,14 +201,18 @@ class Matcher::Search {
   // What fine blocks may sum up to at each look, if the coarse ones above them cost no more than their bounds.
   void limit_fine(int group_x, bool bounded) {
     const double all = bytes_within(followed_, kGroup * kGroup, matcher_.code_.scale);
+    const double unit = static_cast<double>(1 << coarser_) * (kUnit / (kGroup * kGroup));
+    left_below_.assign(1, std::sqrt(all));
+    for (std::size_t band = 0; bounded && band < patch_.coarse.bands.size(); ++band) {
+      const double left = all - unit * upper_[band * upper_stride() + group_x];
+      left_below_.push_back(left < 0 ? -1 : std::sqrt(left));
+    }
     for (int off = 0; off < kGroup; ++off) {
       const Template::Fine& fine = patch_.fine[off];
       fine_limits_[off].resize(fine.lost.size());
       for (std::size_t look = 0; look < fine.lost.size(); ++look) {
-        const int bands = bounded ? fine.bands_above[look] : 0;
-        const double above = bands > 0 ? upper_[(bands - 1) * upper_stride() + group_x] : 0;
-        const double left = all - std::ldexp(above, coarser_) * (kUnit / (kGroup * kGroup));
-        const double apart = fine.lost[look] + std::sqrt(std::max(0.0, left));
+        const double left = left_below_[bounded ? fine.bands_above[look] : 0];
+        const double apart = fine.lost[look] + left;
         fine_limits_[off][look] = left < 0 ? -1 : static_cast<std::int64_t>(std::min(9e18, kSlack * apart * apart));
       }
     }
@@ -256,10 +257,11 @@ class Matcher::Search {
   std::int64_t followed_ = -1;
   std::uint16_t coarse_limit_ = 0;
   int coarser_ = 0;  // bits that bounds have lost
-  std::vector<std::ptrdiff_t> blocks_;
+  std::vector<CoarseBlock> blocks_;
   std::vector<int> found_;
   std::vector<std::uint8_t> wanted_;
   std::vector<std::uint16_t> whole_, upper_;  // of a row of groups; for each band
+  std::vector<double> left_below_;            // a band and those above it, at most: a distance; -1: nothing
   std::array<std::vector<std::int64_t>, kGroup> fine_limits_;
   std::vector<std::int64_t> limits_, left_, exact_, sums_, fine_sums_;
   double pixel_unit_ = 0;
@@ -294,7 +296,6 @@ std::optional<Match> Matcher::glance(const Template& patch, const Wood& wood) {
 }
 
 std::optional<Match> Matcher::search(const Template& patch, const Wood& wood, std::int64_t limit, bool closely) {
-  assert(level_of(patch.coarse.side) >= 0);
   std::atomic<std::int64_t> shared = limit;
   std::vector<Search> searches;
   searches.reserve(views_.size());
@@ -340,7 +341,8 @@ cv::Mat Matcher::features(int view, cv::Rect box) const {
 
 int Matcher::level_of(int side) const {
   const auto found = std::find(sides_.begin(), sides_.end(), side);
-  return found == sides_.end() ? -1 : static_cast<int>(found - sides_.begin());
+  assert(found != sides_.end());
+  return static_cast<int>(found - sides_.begin());
 }
 
 std::size_t Matcher::bytes() const {

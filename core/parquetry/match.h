@@ -53,9 +53,9 @@ class Matcher {
   // The best whole-pixel place of all views where the patch fits into the wood, of cost `limit` or less; none where
   // there is none. The same for any number of threads.
   //
-  // Groups of positions first, by blocks of 16 px (or what the patch holds), then single positions by blocks of 4 px,
-  // then their pixels: each a bound from below, given up above the best cost so far. Block by block
-  // and pixel by pixel, what has not been compared yet counts with the bound of the level before.
+  // Groups of positions first, by blocks of 16 px (smaller ones where the patch does not hold them), then single
+  // positions by blocks of 4 px, then their pixels: each a bound from below, given up above the best cost so far.
+  // Block by block and pixel by pixel, what has not been compared yet counts with the bound of the level before.
   std::optional<Match> best(const Template& patch, const Wood& wood, std::int64_t limit = kAnyCost);
 
   // A good place, soon: the best in the most promising group of each view's twelfth.
@@ -78,7 +78,7 @@ class Matcher {
   };
   class Search;
   std::optional<Match> search(const Template& patch, const Wood& wood, std::int64_t limit, bool closely);
-  int level_of(int side) const;
+  int level_of(int side) const;             // in sides_, where it must be
   Spot spot(int view, cv::Point at) const;  // the features there
 
   std::vector<int> sides_;

@@ -44,7 +44,7 @@ bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limit
   for (int k = 0; k < stencil.rows(); ++k) {
     const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
     const std::ptrdiff_t row = k * stencil.stride;
-    for (std::ptrdiff_t i = 0; i < stencil.stride; ++i) {
+    for (int i = stencil.begins[k]; i < stencil.ends[k]; ++i) {
       const int off = stencil.mask[row + i] != 0 ? stencil.values[row + i] - from[i] : 0;
       sum += off * off;
     }
@@ -77,12 +77,14 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
     const std::uint8_t* target = row.targets;
     Bands bands(row, x);
     for (int b = 0; b < static_cast<int>(row.blocks->size()); ++b) {
-      const std::uint8_t* from = row.planes + (*row.blocks)[b] + x;
-      for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * row.plane_size) {
-        const int off = std::max({0, from[0] - target[1], target[0] - from[row.plane_size]});
-        sum = std::min(kNoRoom - 1, sum + (off * off >> row.shift));
+      const CoarseBlock& block = (*row.blocks)[b];
+      const std::uint8_t* from = block.planes + x;
+      for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * block.plane_size) {
+        const int off = std::max({0, from[0] - target[1], target[0] - from[block.plane_size]});
+        sum = std::min(kNoRoom - 1, sum + (off * off >> block.shift));
       }
       if (std::uint16_t* to = bands.after(b)) *to = static_cast<std::uint16_t>(sum);
+      if (sum > row.limit) break;
     }
     bounds[x] = static_cast<std::uint16_t>(sum);
     least = std::min(least, bounds[x]);
@@ -123,6 +125,16 @@ HWY_INLINE V32 add_squares(V8 value, V8 mask, const std::uint8_t* place, V32 sum
 
 HWY_INLINE std::int64_t total(V32 sum) { return hn::GetLane(hn::SumOfLanes(D32(), sum)); }
 
+// Four totals at once: within each block of 128 bits the four vectors' lanes are brought together.
+HWY_INLINE void add_totals(V32 a, V32 b, V32 c, V32 d, std::int64_t* all) {
+  const D32 d32;
+  const auto ac = hn::Add(hn::InterleaveLower(d32, a, c), hn::InterleaveUpper(d32, a, c));
+  const auto bd = hn::Add(hn::InterleaveLower(d32, b, d), hn::InterleaveUpper(d32, b, d));
+  HWY_ALIGN std::int32_t sums[Stencil::kVector / sizeof(std::int32_t)];
+  hn::Store(hn::Add(hn::InterleaveLower(d32, ac, bd), hn::InterleaveUpper(d32, ac, bd)), d32, sums);
+  for (std::size_t i = 0; i < hn::Lanes(d32); ++i) all[i % 4] += sums[i];
+}
+
 bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limits, std::int64_t* sums) {
   const D8 d8;
   const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d8));
@@ -134,7 +146,7 @@ bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limit
     auto sum = hn::Zero(D32());
     for (const int end = std::min(rows, k + step); k < end; ++k, values += stencil.stride, mask += stencil.stride) {
       const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
-      for (std::ptrdiff_t i = 0; i < stencil.bytes; i += lanes)
+      for (std::ptrdiff_t i = stencil.begins[k] / lanes * lanes; i < stencil.ends[k]; i += lanes)
         sum = add_squares(hn::LoadU(d8, values + i), hn::LoadU(d8, mask + i), from + i, sum);
     }
     all += total(sum);
@@ -158,7 +170,7 @@ unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t p
     auto a = hn::Zero(D32()), b = a, c = a, d = a;
     for (const int end = std::min(rows, k + step); k < end; ++k, values += stencil.stride, mask += stencil.stride) {
       const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
-      for (std::ptrdiff_t i = 0; i < stencil.bytes; i += lanes) {
+      for (std::ptrdiff_t i = stencil.begins[k] / lanes * lanes; i < stencil.ends[k]; i += lanes) {
         const auto value = hn::LoadU(d8, values + i), counts = hn::LoadU(d8, mask + i);
         a = add_squares(value, counts, from + i, a);
         b = add_squares(value, counts, from + i + plane, b);
@@ -166,10 +178,7 @@ unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t p
         d = add_squares(value, counts, from + i + 3 * plane, d);
       }
     }
-    all[0] += total(a);
-    all[1] += total(b);
-    all[2] += total(c);
-    all[3] += total(d);
+    add_totals(a, b, c, d, all);
     if (k % kLook != 0 && k < rows) continue;
     for (unsigned p = 0; p < 4; ++p) {
       *sums++ = all[p];
@@ -195,6 +204,10 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
     const auto o = hn::ShiftRight<8>(hn::BitCast(d16, v));
     return hn::Mul(o, o);
   };
+  const auto limit = hn::Set(d16, row.limit);
+  const auto any_within = [&](auto a, auto b) {
+    return !hn::AllFalse(d16, hn::Eq(hn::SaturatedSub(hn::Min(a, b), limit), hn::Zero(d16)));
+  };
   auto least = none;
   for (int x = 0; x < row.groups; x += lanes) {
     const auto lacking = hn::SaturatedSub(need, hn::LoadU(d8, row.room + x));
@@ -204,23 +217,26 @@ std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds) {
       hn::StoreU(none, d16, bounds + x + lanes / 2);
       continue;
     }
-    auto even = hn::Zero(d16), odd = hn::Zero(d16);
-    const std::uint8_t* target = row.targets;
-    Bands bands(row, x);
-    for (int b = 0; b < static_cast<int>(row.blocks->size()); ++b) {
-      const std::uint8_t* from = row.planes + (*row.blocks)[b] + x;
-      for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * row.plane_size) {
-        const auto low = hn::LoadU(d8, from), high = hn::LoadU(d8, from + row.plane_size);
-        const auto off =
-            hn::Max(hn::SaturatedSub(low, hn::Set(d8, target[1])), hn::SaturatedSub(hn::Set(d8, target[0]), high));
-        even = hn::SaturatedAdd(even, hn::ShiftRightSame(square_even(off), row.shift));
-        odd = hn::SaturatedAdd(odd, hn::ShiftRightSame(square_odd(off), row.shift));
-      }
-      if (std::uint16_t* to = bands.after(b)) hn::StoreInterleaved2(even, odd, d16, to);
-    }
+    // Groups without room are above any limit from the start.
     const auto taken = hn::VecFromMask(d8, hn::Not(is_free));
     const auto taken_even = hn::VecFromMask(d16, hn::Eq(hn::And(hn::BitCast(d16, taken), byte), byte));
     const auto taken_odd = hn::VecFromMask(d16, hn::Eq(hn::ShiftRight<8>(hn::BitCast(d16, taken)), byte));
+    auto even = taken_even, odd = taken_odd;
+    const std::uint8_t* target = row.targets;
+    Bands bands(row, x);
+    for (int b = 0; b < static_cast<int>(row.blocks->size()); ++b) {
+      const CoarseBlock& block = (*row.blocks)[b];
+      const std::uint8_t* from = block.planes + x;
+      for (int s = 0; s < row.statistics; ++s, target += 2, from += 2 * block.plane_size) {
+        const auto low = hn::LoadU(d8, from), high = hn::LoadU(d8, from + block.plane_size);
+        const auto off =
+            hn::Max(hn::SaturatedSub(low, hn::Set(d8, target[1])), hn::SaturatedSub(hn::Set(d8, target[0]), high));
+        even = hn::SaturatedAdd(even, hn::ShiftRightSame(square_even(off), block.shift));
+        odd = hn::SaturatedAdd(odd, hn::ShiftRightSame(square_odd(off), block.shift));
+      }
+      if (std::uint16_t* to = bands.after(b)) hn::StoreInterleaved2(even, odd, d16, to);
+      if (!any_within(even, odd)) break;
+    }
     even = hn::Or(hn::Min(even, most), taken_even);
     odd = hn::Or(hn::Min(odd, most), taken_odd);
     hn::StoreInterleaved2(even, odd, d16, bounds + x);
@@ -256,12 +272,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace tessera::parquetry {
 
-Stencil::Stencil(std::vector<int> rows, int row_bytes)
-    : bytes(row_bytes),
-      stride(std::ptrdiff_t{(row_bytes + kVector - 1) / kVector} * kVector),
+Stencil::Stencil(std::vector<int> rows, int bytes)
+    : stride(std::ptrdiff_t{(bytes + kVector - 1) / kVector} * kVector),
       order(std::move(rows)),
+      begins(order.size()),
+      ends(order.size()),
       values(static_cast<std::size_t>(stride) * order.size()),
       mask(values.size()) {}
+
+void Stencil::set(int k, int i, std::uint8_t value) {
+  values[k * stride + i] = value;
+  mask[k * stride + i] = 255;
+  begins[k] = ends[k] == 0 ? i : std::min(begins[k], i);
+  ends[k] = std::max(ends[k], i + 1);
+}
 
 HWY_EXPORT(compare);
 HWY_EXPORT(compare_four);

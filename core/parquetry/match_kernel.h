@@ -14,12 +14,14 @@ struct Stencil {
   Stencil(std::vector<int> order, int bytes);  // zeros
 
   int rows() const { return static_cast<int>(order.size()); }
-  std::uint8_t* row(int k) { return values.data() + k * stride; }
-  std::uint8_t* mask_row(int k) { return mask.data() + k * stride; }
+
+  // Byte i of row k counts.
+  void set(int k, int i, std::uint8_t value);
 
   static constexpr int kVector = 64;
-  std::ptrdiff_t bytes = 0, stride = 0;  // a multiple of kVector; rows are filled up with zeros
-  std::vector<int> order;                // which row of the place each is compared with
+  std::ptrdiff_t stride = 0;      // a multiple of kVector; rows are filled up with zeros
+  std::vector<int> order;         // which row of the place each is compared with
+  std::vector<int> begins, ends;  // of what counts in each row; no bytes: 0, 0
   std::vector<std::uint8_t> values, mask;
 };
 
@@ -42,17 +44,22 @@ bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limit
 unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t plane, const std::int64_t* limits,
                       std::int64_t* sums);
 
-// A row of groups at a coarse level (levels.h).
-struct CoarseRow {
-  const std::uint8_t* planes;  // from the row's first group on
+// A block of a patch at its place from the first group of a row on, in the planes of a coarse level (levels.h).
+struct CoarseBlock {
+  const std::uint8_t* planes;
   std::ptrdiff_t plane_size;
-  int statistics;                             // two to a channel; each has two planes
-  const std::vector<std::ptrdiff_t>* blocks;  // where in a plane a block is, from the group
-  const std::uint8_t* targets;                // for each block and statistic the least and greatest value
+  int shift;  // squares lose so many bits: larger blocks count for more, and sums stay in range
+};
+
+// A row of groups of places.
+struct CoarseRow {
+  const std::vector<CoarseBlock>* blocks;
+  int statistics;               // two to a channel; each has two planes
+  const std::uint8_t* targets;  // for each block and statistic the least and greatest value
   const std::uint8_t* room;
   std::uint8_t need;  // groups with less room are kNoRoom
-  int shift;          // squares lose so many bits, which keeps sums in range
   int groups;
+  std::uint16_t limit;  // bounds above it need only be above: the rest of their blocks may be left out
   // Where `sums` is given, it gets the bounds of the first blocks alone: of as many as each of `bands` says, a row of
   // bounds each, `stride` apart.
   const std::vector<int>* bands = nullptr;
@@ -62,7 +69,7 @@ struct CoarseRow {
 inline constexpr std::uint16_t kNoRoom = 0xffff;
 inline constexpr int kRowPadding = 64;  // elements that are written beyond a row's groups
 
-// The bound of each group, the sum of squared bytes without `shift` bits, at most kNoRoom - 1. Returns the least.
+// The bound of each group, the sum of squared bytes, at most kNoRoom - 1. Returns the least.
 std::uint16_t coarse_bounds(const CoarseRow& row, std::uint16_t* bounds);
 
 // Appends the indices of bounds that are at most `limit` (< kNoRoom).

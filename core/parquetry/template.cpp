@@ -2,13 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace tessera::parquetry {
 namespace {
 
-bool all_inside(const cv::Mat1b& mask, cv::Rect block) {
-  return (block & cv::Rect({0, 0}, mask.size())) == block && cv::countNonZero(mask(block)) == block.area();
+// Corners of blocks of `side` px inside the mask `left`, from which they are taken: at multiples of kGroup from row
+// `first` (0 <= first < kGroup) on.
+std::vector<cv::Point> take_blocks(cv::Mat1b& left, int side, int first) {
+  std::vector<cv::Point> blocks;
+  for (int y = first; y + side <= left.rows; y += kGroup)
+    for (int x = 0; x + side <= left.cols; x += kGroup) {
+      const cv::Rect block(x, y, side, side);
+      if (cv::countNonZero(left(block)) != block.area()) continue;
+      left(block).setTo(0);
+      blocks.push_back(block.tl());
+    }
+  return blocks;
 }
 
 // The lowest first.
@@ -23,43 +34,40 @@ Stencil pixels_of(const cv::Mat& features, const cv::Mat1b& mask, std::vector<in
   Stencil stencil(std::move(rows), mask.cols * channels);
   for (int k = 0; k < stencil.rows(); ++k) {
     const int y = stencil.order[k];
-    for (int i = 0; i < mask.cols * channels; ++i) {
-      if (mask(y, i / channels) == 0) continue;
-      stencil.row(k)[i] = features.ptr(y)[i];
-      stencil.mask_row(k)[i] = 255;
-    }
+    for (int i = 0; i < mask.cols * channels; ++i)
+      if (mask(y, i / channels) != 0) stencil.set(k, i, features.ptr(y)[i]);
   }
   return stencil;
 }
 
-std::vector<std::uint8_t> moments_of_blocks(const cv::Mat& features, const std::vector<cv::Point>& blocks, int side,
+std::vector<std::uint8_t> moments_of_blocks(const cv::Mat& features, const std::vector<Block>& blocks,
                                             const ByteCode& code) {
   std::vector<std::uint8_t> bytes;
   const auto append = [&](double v) {
     bytes.push_back(static_cast<std::uint8_t>(std::floor(v)));
     bytes.push_back(static_cast<std::uint8_t>(std::ceil(v)));
   };
-  for (const cv::Point block : blocks)
+  for (const Block& block : blocks)
     for (int c = 0; c < features.channels(); ++c) {
-      const Moments moments = moments_of(features, c, {kGroup * block, cv::Size(side, side)});
+      const Moments moments = moments_of(features, c, block.box());
       append(code.mean(moments.mean, c));
       append(code.deviation(moments.deviation));
     }
   return bytes;
 }
 
-Template::Coarse coarse_blocks(const cv::Mat& features, const cv::Mat1b& mask, int side, const ByteCode& code) {
+Template::Coarse coarse_part(const cv::Mat& features, const cv::Mat1b& mask, const ByteCode& code) {
   Template::Coarse coarse;
-  coarse.side = side;
-  for (const cv::Point block : blocks_inside(mask, side, 0)) {
-    if (coarse.bottoms.empty() || coarse.bottoms.back() != block.y + side) {
-      coarse.bottoms.push_back(block.y + side);
+  coarse.blocks = coarse_blocks(mask);
+  for (int i = 0; i < static_cast<int>(coarse.blocks.size()); ++i) {
+    const int bottom = coarse.blocks[i].box().br().y;
+    if (coarse.bottoms.empty() || coarse.bottoms.back() != bottom) {
+      coarse.bottoms.push_back(bottom);
       coarse.bands.push_back(0);
     }
-    coarse.blocks.emplace_back(block.x / kGroup, block.y / kGroup);
-    coarse.bands.back() = static_cast<int>(coarse.blocks.size());
+    coarse.bands.back() = i + 1;
   }
-  coarse.moments = moments_of_blocks(features, coarse.blocks, side, code);
+  coarse.moments = moments_of_blocks(features, coarse.blocks, code);
   return coarse;
 }
 
@@ -89,14 +97,14 @@ Template::Fine fine_blocks(const cv::Mat& features, const cv::Mat1b& mask, int o
   Stencil& stencil = fine.blocks = Stencil(std::move(order), mask.cols / kGroup * statistics);
   const int all_looks = looks(block_rows);
   std::vector<Lost> lost(all_looks), rest(all_looks + 1);
-  for (const cv::Point block : blocks_inside(mask, kGroup, first)) {
+  cv::Mat1b left = mask.clone();
+  for (const cv::Point block : take_blocks(left, kGroup, first)) {
     const int k = block_rows - 1 - (block.y - first) / kGroup;
     for (int s = 0; s < statistics; ++s) {
       const Moments moments = moments_of(features, s / 2, {block, cv::Size(kGroup, kGroup)});
       const double exact = s % 2 == 0 ? code.mean(moments.mean, s / 2) : code.deviation(moments.deviation);
       const double byte = std::floor(exact + 0.5);
-      stencil.row(k)[block.x / kGroup * statistics + s] = static_cast<std::uint8_t>(byte);
-      stencil.mask_row(k)[block.x / kGroup * statistics + s] = 255;
+      stencil.set(k, block.x / kGroup * statistics + s, static_cast<std::uint8_t>(byte));
       for (int look = k / kLook; look < all_looks; ++look) lost[look].add(exact, byte);
       for (int look = 0; look <= k / kLook; ++look) rest[look].add(exact, byte);
     }
@@ -120,30 +128,24 @@ Template::Fine fine_blocks(const cv::Mat& features, const cv::Mat1b& mask, int o
 
 }  // namespace
 
-std::vector<cv::Point> blocks_inside(const cv::Mat1b& mask, int side, int first) {
-  std::vector<cv::Point> blocks;
-  cv::Mat1b rest = mask.clone();
-  for (int y = first; y + side <= mask.rows; y += kGroup)
-    for (int x = 0; x + side <= mask.cols; x += kGroup) {
-      const cv::Rect block(x, y, side, side);
-      if (!all_inside(rest, block)) continue;
-      rest(block).setTo(0);
-      blocks.push_back(block.tl());
-    }
-  return blocks;
-}
-
-int coarse_side(const cv::Mat1b& mask) {
-  // Larger blocks are fewer, smaller ones leave less at the border: of those that cover most of what any cover.
-  std::array<double, kCoarseSides.size()> covered;
-  for (std::size_t i = 0; i < kCoarseSides.size(); ++i)
-    covered[i] = static_cast<double>(kCoarseSides[i] * kCoarseSides[i]) *
-                 static_cast<double>(blocks_inside(mask, kCoarseSides[i], 0).size());
+std::vector<Block> coarse_blocks(const cv::Mat1b& mask) {
+  // Larger blocks are fewer, smaller ones leave less at the border: the next smaller ones follow until most of what
+  // the smallest cover is covered.
   constexpr double kEnough = 0.75;
-  const double most = *std::max_element(covered.begin(), covered.end());
-  std::size_t first = 0;
-  while (covered[first] < kEnough * most) ++first;
-  return kCoarseSides[first];
+  cv::Mat1b left = mask.clone();
+  const double most = kGroup * kGroup * static_cast<double>(take_blocks(left, kGroup, 0).size());
+  double covered = 0;
+  std::vector<Block> blocks;
+  left = mask.clone();
+  for (const int side : {16, 8, 4}) {
+    for (const cv::Point at : take_blocks(left, side, 0)) blocks.push_back({at / kGroup, side});
+    covered = std::accumulate(blocks.begin(), blocks.end(), 0.0,
+                              [](double sum, const Block& block) { return sum + block.box().area(); });
+    if (covered >= kEnough * most) break;
+  }
+  std::stable_sort(blocks.begin(), blocks.end(),
+                   [](const Block& a, const Block& b) { return a.box().br().y < b.box().br().y; });
+  return blocks;
 }
 
 Template make_template(const Patch& patch, const cv::Mat& features, const ByteCode& code, double half_kerf) {
@@ -151,7 +153,7 @@ Template make_template(const Patch& patch, const cv::Mat& features, const ByteCo
   made.shape = shape_of(patch, half_kerf);
   const cv::Mat own = features(patch.box);
   made.pixels = pixels_of(own, patch.mask, upwards(patch.mask.rows));
-  made.coarse = coarse_blocks(own, patch.mask, coarse_side(patch.mask), code);
+  made.coarse = coarse_part(own, patch.mask, code);
   for (int off = 0; off < kGroup; ++off) made.fine[off] = fine_blocks(own, patch.mask, off, code, made.coarse);
   return made;
 }

@@ -11,28 +11,28 @@
 
 namespace tessera::parquetry {
 
-// Blocks of coarse levels have one of these sides.
-inline constexpr std::array<int, 3> kCoarseSides = {16, 8, 4};
+// A square of a patch.
+struct Block {
+  cv::Point at;  // in groups
+  int side;      // pixels: 16, 8 or 4
 
-// The side of the blocks that a patch is looked for by first: the largest of which it holds about as much as of any.
-int coarse_side(const cv::Mat1b& mask);
+  cv::Rect box() const { return {kGroup * at, cv::Size(side, side)}; }
+};
 
-// Blocks of `side` px, all inside the mask, that do not overlap, their corners at multiples of kGroup from row
-// `first` (0 <= first < kGroup) on.
-std::vector<cv::Point> blocks_inside(const cv::Mat1b& mask, int side, int first);
+// The blocks that a patch is looked for by first, from above: all inside the mask, none over another.
+std::vector<Block> coarse_blocks(const cv::Mat1b& mask);
 
 struct Template {
   Shape shape;
   Stencil pixels;  // of the mask, the lowest row first
 
   struct Coarse {
-    int side = 0;
-    std::vector<cv::Point> blocks;      // in groups, from above
+    std::vector<Block> blocks;          // coarse_blocks()
     std::vector<std::uint8_t> moments;  // for each block and statistic the least and greatest byte
     std::vector<int> bands;             // how many blocks end at a band of them and above, for each
     std::vector<int> bottoms;           // the row of pixels below each band
   };
-  Coarse coarse;  // of coarse_side()
+  Coarse coarse;
 
   // For each offset of a position from the first row of its group: the fine blocks that then are inside, the lowest
   // row first, and the rows of pixels below and above them; and for each look at the blocks (kLook):

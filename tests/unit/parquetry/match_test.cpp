@@ -23,7 +23,7 @@ cv::Size random_size(Rng& rng, int least, int most) {
 }
 
 Patch random_patch(Rng& rng, cv::Size target) {
-  const cv::Size size = random_size(rng, 6, 30);
+  const cv::Size size = random_size(rng, 6, 40);
   const cv::Rect box(static_cast<int>(rng.uniform(0, target.width - size.width)),
                      static_cast<int>(rng.uniform(0, target.height - size.height)), size.width, size.height);
   if (rng.uniform() < 0.6) return odd_patch(rng, box);
