@@ -27,13 +27,18 @@ endif()
 
 # Every folder's headers are seen through a link of its own, <build>/include/<target>/tessera/<folder>, so that a target
 # sees its own folder and those of its DEPS and no other.
+#
+# The target is Tessera::voronoi where core is installed (packaging/); headers that only its own sources see stay out of
+# what is exported.
 function(tessera_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LINK" ${ARGN})
+  list(TRANSFORM ARG_LINK REPLACE "^(.+_header_only)$" "$<BUILD_INTERFACE:\\1>")
   set(target tessera_${name})
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
-    target_link_libraries(${target} PRIVATE tessera_options)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tessera_options>)
+    target_compile_features(${target} PUBLIC cxx_std_20)
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
@@ -41,7 +46,9 @@ function(tessera_library name)
   set(view "${CMAKE_BINARY_DIR}/include/${name}")
   file(MAKE_DIRECTORY "${view}/tessera")
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${view}/tessera/${name}" SYMBOLIC)
-  target_include_directories(${target} ${scope} "${view}")
+  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${view}>")
   list(TRANSFORM ARG_DEPS PREPEND tessera_)
   target_link_libraries(${target} ${scope} ${ARG_DEPS} ${ARG_LINK})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  add_library(Tessera::${name} ALIAS ${target})
 endfunction()
