@@ -11,17 +11,16 @@
 #include <set>
 
 #include "tessera/cli/flags.h"
+#include "tessera/cli/man_page.h"
 #include "tessera/cli/messages.h"
 #include "tessera/cli/panel_flags.h"
+#include "tessera/cli/shells.h"
+#include "tessera/cli/usage.h"
 #include "tessera/job/techniques.h"
 
 namespace tessera {
 namespace {
 
-constexpr const char* kInputsFooter =
-    "Pictures are PNG, JPEG, WebP, TIFF or BMP; - is standard input.\n"
-    "Exit status: 0 done, 1 a fault of ours, 2 wrong usage or parameter, 3 an input that cannot be used, 4 an output "
-    "that\ncannot be written, 124 out of time, 130 interrupted.";
 constexpr const char* kJobFooter =
     "A relative path of a picture in the job is looked for beside the job's file first, then in the current "
     "folder.\n";
@@ -87,12 +86,6 @@ std::vector<Parameter> select(const std::vector<Parameter>& all, bool advanced) 
   return selected;
 }
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  return result;
-}
-
 // `tessera pave`: a technique with its inputs and parameters.
 class TechniqueCommand {
  public:
@@ -106,12 +99,12 @@ class TechniqueCommand {
       const std::string name(role.name);
       if (role.many) continue;
       if (is_many(name)) {
-        app_.add_option(upper(role.name), many_[name], std::string(role.help))->required()->type_name("FILE");
+        app_.add_option(upper_case(role.name), many_[name], std::string(role.help))->required()->type_name("FILE");
         continue;
       }
       std::string& path = inputs_[name];
       if (role.required) {
-        app_.add_option(upper(role.name), path, std::string(role.help))->required()->type_name("FILE");
+        app_.add_option(upper_case(role.name), path, std::string(role.help))->required()->type_name("FILE");
       } else {
         app_.add_option("--" + name, path, std::string(role.help))->type_name("FILE")->group("Inputs");
       }
@@ -127,10 +120,10 @@ class TechniqueCommand {
       app_.add_flag("--" + std::string(question.name), asked_[question.name], std::string(question.help))
           ->group("Run");
     if (!technique.subject.empty()) {
-      app_.add_option(upper(technique.subject), subject_, "What to make; --list names them")->type_name("NAME");
+      app_.add_option(upper_case(technique.subject), subject_, "What to make; --list names them")->type_name("NAME");
       app_.add_flag("--list", list_, "Print the names and what they are")->group("Run");
     }
-    app_.footer(kInputsFooter);
+    app_.footer(inputs_footer());
   }
 
   bool chosen() const { return app_.parsed(); }
@@ -238,7 +231,7 @@ class SavedJobCommand {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false)
         ->take_all();
-    app_.footer(std::string(kJobFooter) + kInputsFooter);
+    app_.footer(kJobFooter + inputs_footer());
   }
 
   bool chosen() const { return app_.parsed(); }
@@ -260,17 +253,48 @@ class SavedJobCommand {
 class SchemaCommand {
  public:
   explicit SchemaCommand(CLI::App& app)
-      : app_(*app.add_subcommand("schema", "Print the parameters as JSON Schema, or as Markdown")) {
+      : app_(*app.add_subcommand("schema", "Print the parameters as JSON Schema, as Markdown or as a man page")) {
     app_.add_option("TECHNIQUE", command_.technique, "Its parameters only")->type_name("NAME");
     app_.add_flag("--markdown", command_.markdown, "The reference of all parameters");
+    app_.add_flag("--man", man_, "The man page of all commands");
   }
 
   bool chosen() const { return app_.parsed(); }
-  PrintSchema read() const { return command_; }
+  Command read(const Usage& usage) const {
+    if (man_) return PrintText{man_page(usage)};
+    return command_;
+  }
 
  private:
   CLI::App& app_;
   PrintSchema command_;
+  bool man_ = false;
+};
+
+// `tessera completion`
+class CompletionCommand {
+ public:
+  explicit CompletionCommand(CLI::App& app)
+      : app_(*app.add_subcommand("completion", "Print a script that completes commands and flags in a shell")) {
+    app_.add_option("SHELL", shell_, "bash, zsh or fish")->required()->type_name("NAME");
+    app_.footer("For this session: source <(tessera completion bash)");
+  }
+
+  bool chosen() const { return app_.parsed(); }
+  Command read(const Usage& usage, Problems& problems) const {
+    std::vector<std::string> names;
+    for (const ParameterChoice& shell : shells()) {
+      if (shell_ == shell.name) return PrintText{completion_script(shell_, usage)};
+      names.emplace_back(shell.name);
+    }
+    problems.push_back(
+        {StatusCode::kInvalidParameter, "SHELL", "is " + shown(shell_) + ", expected " + either_of(names)});
+    return PrintText{};
+  }
+
+ private:
+  CLI::App& app_;
+  std::string shell_;
 };
 
 // "--ground" is "--ground=true" where neither true nor false follows.
@@ -313,6 +337,7 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   const SavedJobCommand run(app);
   const BatchFlags batch(app);
   const SchemaCommand schema(app);
+  const CompletionCommand completion(app);
 
   try {
     app.parse(with_flag_values(argc, argv));
@@ -332,7 +357,8 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   if (fitting.parsed()) command = fit;
   if (run.chosen()) command = run.read(problems);
   if (batch.chosen()) command = batch.read(problems);
-  if (schema.chosen()) command = schema.read();
+  if (schema.chosen()) command = schema.read(usage_of(app));
+  if (completion.chosen()) command = completion.read(usage_of(app), problems);
   if (!command) problems.push_back(no_command(app));
   if (!problems.empty()) return tl::unexpected<int>(print_problems(problems));
   return *std::move(command);

@@ -59,6 +59,12 @@ std::string description(const Parameter& parameter) {
 
 std::string flag_of(const Parameter& parameter) { return "--" + kebab_case(parameter.info.key); }
 
+std::string upper_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  return result;
+}
+
 Json parse_value(const Parameter& parameter, const std::string& text) {
   switch (parameter.kind) {
     case ParameterKind::kNumber:

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace tessera {
 
 // "--half-side"
 std::string flag_of(const Parameter& parameter);
+// "DRAWING" of "drawing", as the arguments without a flag are named
+std::string upper_case(std::string_view text);
 // A typed text as the JSON value that the parameter expects; as a string where it is none, which is refused later
 // with everything else that is wrong.
 Json parse_value(const Parameter& parameter, const std::string& text);
