@@ -83,9 +83,9 @@ class Shells(CliTest):
     def test_zsh(self):
         self.script('zsh')
         self.run_shell('zsh', '-n', 'tessera.zsh')
-        for line, completed in [('pave --hal', 'pave --half-side'), ('pave --backend g', 'pave --backend gl'), ('patte', 'pattern')]:
+        for line, completed in [('pave --hal', 'pave --half-side='), ('pave --backend g', 'pave --backend gl '), ('patte', 'pattern ')]:
             told = self.run_shell('zsh', '-f', '-c', ZSH, 'zsh', f'tessera {line}')
-            self.assertIn(f'<tessera {completed} >', told)
+            self.assertIn(f'<tessera {completed}>', told)
 
 
 class ManPage(CliTest):

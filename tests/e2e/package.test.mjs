@@ -1,7 +1,7 @@
 // The package as a third party imports it in node: what it makes, and that the native program makes the same.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -208,4 +208,34 @@ test('statistics and fits stop when they are told to', async () => {
 test('the example works', () => {
   const output = execFileSync('node', [join(root, 'web/package/examples/pave.mjs')], { encoding: 'utf8' });
   assert.match(output, /^\d+ stones\n<\?xml [^>]*>\n<svg /);
+});
+
+test('packs into one file that works where nothing else is', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
+  try {
+    const [packed] = JSON.parse(
+      execFileSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', folder], {
+        cwd: join(root, 'web/package'),
+        encoding: 'utf8',
+      }),
+    );
+    assert.equal(packed.version, readFileSync(join(root, 'VERSION'), 'utf8').trim());
+    const names = packed.files.map(({ path }) => path);
+    const besides = names.filter((name) => !name.startsWith('dist/')).sort();
+    assert.deepEqual(besides, ['LICENSE', 'NOTICE', 'README.md', 'examples/pave.mjs', 'package.json']);
+    for (const name of ['index.js', 'index.d.ts', 'api.d.ts', 'parameters.d.ts', 'description.js', 'description.d.ts'])
+      assert.ok(names.includes(`dist/${name}`), name);
+    for (const variant of ['threads', 'single'])
+      for (const ending of ['js', 'mjs', 'wasm'])
+        assert.ok(names.includes(`dist/engine/tessera-${variant}.${ending}`), `${variant}.${ending}`);
+
+    const installed = join(folder, 'node_modules/tessera-wasm');
+    mkdirSync(installed, { recursive: true });
+    execFileSync('tar', ['-xzf', join(folder, packed.filename), '--strip-components=1', '-C', installed]);
+    copyFileSync(join(installed, 'examples/pave.mjs'), join(folder, 'pave.mjs'));
+    const output = execFileSync('node', [join(folder, 'pave.mjs')], { encoding: 'utf8' });
+    assert.match(output, /^\d+ stones\n<\?xml /);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });

@@ -10,6 +10,12 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 const engine = `${here}dist/engine`;
 const builds = { threads: 'wasm-release', single: 'wasm-release-single' };
 
+/** What a package has to say of its own licence, and of the libraries that the engine holds. */
+function copyLicences() {
+  copyFileSync(`${here}../../LICENSE`, `${here}LICENSE`);
+  copyFileSync(`${here}../../packaging/copyright`, `${here}NOTICE`);
+}
+
 function copyEngine() {
   rmSync(`${here}dist`, { recursive: true, force: true });
   mkdirSync(engine, { recursive: true });
@@ -55,6 +61,7 @@ function writeDescription(core) {
   write('description', ["import type { JobSchema, Technique } from './api.js';", '', ...constants, ''].join('\n'));
 }
 
+copyLicences();
 copyEngine();
 const core = await loadEngine();
 await writeParameterTypes(core);
