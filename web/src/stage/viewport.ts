@@ -2,7 +2,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { painter } from '../state/page';
-import { compared, entry, inputRole, sheet, technique } from '../state/store';
+import { compared, entry, inputRole, shaping, sheet, technique } from '../state/store';
 import { calm, shade } from '../state/theme';
 import { kLayers, type Layer, type Layers } from '../worker/protocol';
 import { fit, panBy, zoomAt, type Point, type Size, type View } from './view';
@@ -66,7 +66,7 @@ export function bindViewport(): void {
       type: 'look',
       look: {
         layers: layers.value,
-        divider: comparable.value ? divider.value : 0,
+        divider: shaping.value ? 1 : comparable.value ? divider.value : 0, // the picture itself, under a grid
         accent: colour('--accent'),
         line: colour('--line'),
         calm: calm.value,

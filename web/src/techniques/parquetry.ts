@@ -24,7 +24,8 @@ export const parquetry: TechniqueEntry = {
   sentence: 'A picture cut from real wood.',
   icon: ParquetryIcon,
   pieces: 'pieces',
-  tools: [],
+  tools: ['grid', 'edges'],
+  usesTools: ({ grid, posterize }) => grid === 'morphed' && !posterize,
   layers: ['source', 'outlines', 'stones'],
   shown: ['stones'],
   solid: false,
@@ -35,11 +36,12 @@ export const parquetry: TechniqueEntry = {
     { name: 'fruit', title: 'Fruit', file: 'fruit.png', params: kSmall },
   ],
   presets: [],
-  front: ['imageSizeMm', 'patchMm', 'rotations', 'order', 'kerfMm'],
+  front: ['imageSizeMm', 'patchMm', 'grid', 'rotations', 'order', 'kerfMm'],
   /** Set beside the panels themselves. */
   matters: (key) => key !== 'panels',
   stages: {
     panels: 'Looking at the wood',
+    patches: 'Cutting the picture up',
     features: 'Looking at its grain',
     matching: 'Choosing wood for each piece',
     improving: 'Exchanging wood',

@@ -1,10 +1,11 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { Brush, Grid2x2Check, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
+import { Brush, Grid2x2Check, Grid3x3, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
 import { leaveLabels, takesLabels, useLabels } from '../state/labels';
 import { usePicture, useSample } from '../state/pictures';
+import { leaveShapes, takesShapes, useShapes } from '../state/shapes';
 import { startSketch } from '../state/sketch';
-import { byLabels, entry, labels, picture, tool } from '../state/store';
+import { byLabels, drawn, entry, labels, params, picture, tool } from '../state/store';
 import { useWord } from '../state/word';
 
 export const kPictureTypes = 'image/png,image/jpeg,image/webp,image/bmp,image/gif,image/tiff,.tif,.tiff';
@@ -21,8 +22,11 @@ export function PictureInput() {
           <ImageUp size={20} aria-hidden />
           {entry.value.pictureTitle ?? 'Image'}
         </label>
-        {takesLabels() && <LabelsButton />}
-        {entry.value.tools.map((name) =>
+        {takesLabels() && <LabelsButton hint={kPebblesHint} types={kPictureTypes} use={useLabels} />}
+        {takesShapes() && (
+          <LabelsButton hint={kShapesHint} types={`${kPictureTypes},image/svg+xml,.svg`} use={useShapes} />
+        )}
+        {toolsHere().map((name) =>
           name === 'word' ? (
             <button
               type="button"
@@ -74,7 +78,17 @@ export function PictureInput() {
           </span>
         </p>
       )}
-      {takesLabels() && byLabels.value && labels.value && <LabelsName name={labels.value.name} />}
+      {takesLabels() && byLabels.value && labels.value && (
+        <LabelsName
+          of="pebbles"
+          name={labels.value.name}
+          instead="Search for the pebbles instead"
+          leave={leaveLabels}
+        />
+      )}
+      {takesShapes() && drawn.value.shapes && (
+        <LabelsName of="pieces" name={drawn.value.shapes.name} instead="Lay a grid instead" leave={leaveShapes} />
+      )}
     </section>
   );
 }
@@ -83,6 +97,14 @@ const kTools = {
   sketch: { title: 'Draw', hint: 'Draw the picture with a brush', Icon: Brush },
   guides: { title: 'Curves', hint: 'Draw curves that the rows of tiles follow', Icon: Spline },
   regions: { title: 'Sizes', hint: 'Paint where tiles are large and where small', Icon: Paintbrush },
+  grid: { title: 'Corners', hint: 'Drag the corners of the grid to where you want them', Icon: Grid3x3 },
+  edges: { title: 'Edges', hint: 'Paint which edges of the picture the grid follows', Icon: Brush },
+};
+
+/** A grid has no corners to drag where the pieces come from a file. */
+const toolsHere = () => {
+  const { tools, usesTools } = entry.value;
+  return !drawn.value.shapes && (usesTools?.(params.value) ?? true) ? tools : [];
 };
 
 function ToolButton({ name }: { name: keyof typeof kTools }) {
@@ -102,20 +124,28 @@ function ToolButton({ name }: { name: keyof typeof kTools }) {
   );
 }
 
-/** Where the pebbles are, from another program, in place of the search. */
-function LabelsButton() {
+const kPebblesHint =
+  "A picture of the photo's size that says where the pebbles are: each number or colour one, black the ground";
+const kShapesHint =
+  "The pieces' shapes: a picture of the target's proportions, a number or colour each, or an SVG of closed paths";
+
+interface LabelsProps {
+  hint: string;
+  types: string;
+  use(file: File): Promise<void>;
+}
+
+/** Where the pebbles, or the pieces, are, from another program. */
+function LabelsButton({ hint, types, use }: LabelsProps) {
   return (
-    <label
-      class="source"
-      title="A picture of the photo's size that says where the pebbles are: each number or colour one, black the ground"
-    >
+    <label class="source" title={hint}>
       <input
         type="file"
         class="unseen"
-        accept={kPictureTypes}
+        accept={types}
         onChange={({ currentTarget: input }) => {
           const file = input.files?.[0];
-          if (file) void useLabels(file);
+          if (file) void use(file);
           input.value = '';
         }}
       />
@@ -125,17 +155,18 @@ function LabelsButton() {
   );
 }
 
-function LabelsName({ name }: { name: string }) {
+interface LabelsNameProps {
+  of: string;
+  name: string;
+  instead: string;
+  leave(): void;
+}
+
+function LabelsName({ of, name, instead, leave }: LabelsNameProps) {
   return (
     <p class="picture-name labels-name" title={name}>
-      <span>pebbles by</span> {name}
-      <button
-        type="button"
-        class="tool"
-        aria-label="Remove segmentation"
-        title="Search for the pebbles instead"
-        onClick={leaveLabels}
-      >
+      <span>{of} by</span> {name}
+      <button type="button" class="tool" aria-label="Remove segmentation" title={instead} onClick={leave}>
         <X size={15} aria-hidden />
       </button>
     </p>
