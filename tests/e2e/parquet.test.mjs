@@ -344,35 +344,45 @@ test('a corner of the grid is dragged while the rest relaxes, and what is seen i
     const before = await gridAtRest(page);
     assert.deepEqual([before.across, before.down], [6, 5]);
     assert.ok(before.steps > 10, `${before.steps} steps`);
-    assert.ok(farthest(before.at(2, 2), [24, 24]) > 0.3, 'no edge has attracted it');
-    const from = before.at(3, 2);
-    const to = [from[0] + 3.4, from[1] + 2.2];
-    // While it is held, others move.
+    // Back to where the even grid has it: the corner inside that the edges have drawn the farthest.
+    const inside = [1, 2, 3, 4].flatMap((row) => [1, 2, 3, 4, 5].map((column) => ({ column, row, to: [12 * column, 12 * row] })));
+    const far = ({ column, row, to }) => farthest(before.at(column, row), to);
+    const { column, row, to } = inside.reduce((best, one) => (far(one) > far(best) ? one : best));
+    assert.ok(far({ column, row, to }) > 1, 'no edge has attracted any');
+    const from = before.at(column, row);
+    const i = 2 * (row * 7 + column);
+    const seenAt = (x, y, reach) =>
+      page.waitForFunction(
+        ([k, u, v, most]) => {
+          const { atRest, vertices } = window.tessera.grid;
+          return (most > 0.01 || atRest) && Math.hypot(vertices[k] - u, vertices[k + 1] - v) < most;
+        },
+        [i, x, y, reach],
+      );
     await page.mouse.move(...(await onTarget(app, from)));
     await page.mouse.down();
     await page.mouse.move(...(await onTarget(app, to)), { steps: 6 });
-    await page.waitForFunction(
-      ([x, y, i]) => Math.hypot(window.tessera.grid.vertices[2 * i] - x, window.tessera.grid.vertices[2 * i + 1] - y) < 0.1,
-      [...to, 2 * 7 + 3],
-    );
+    await seenAt(...to, 0.2);
     await page.mouse.up();
-    await page.locator('.grid-pin[data-pin="3,2"]').waitFor({ state: 'attached' });
+    await page.locator(`.grid-pin[data-pin="${column},${row}"]`).waitFor({ state: 'attached' });
     const after = await gridAtRest(page);
-    assert.ok(farthest(after.at(3, 2), to) < 0.15, `${after.at(3, 2)} for ${to}`);
-    assert.ok(farthest(after.at(4, 2), before.at(4, 2)) > 0.05, 'its neighbour has not moved');
+    assert.ok(farthest(after.at(column, row), to) < 0.3, `${after.at(column, row)} for ${to}`);
+    assert.ok(farthest(after.at(column + 1, row), before.at(column + 1, row)) > 0.02, 'its neighbour has not moved');
     // Undone and redone.
     await page.keyboard.press('Control+z');
     await page.locator('.grid-pin').waitFor({ state: 'detached' });
-    await page.waitForFunction((x) => window.tessera.grid.atRest && Math.abs(window.tessera.grid.vertices[34] - x) < 1e-9, from[0]);
+    await seenAt(...from, 1e-9);
     assert.ok(farthest((await gridAtRest(page)).vertices, before.vertices) < 1e-9);
     await page.keyboard.press('Control+Shift+z');
     await page.locator('.grid-pin').waitFor({ state: 'attached' });
-    await page.waitForFunction((x) => window.tessera.grid.atRest && Math.abs(window.tessera.grid.vertices[34] - x) < 1e-9, after.at(3, 2)[0]);
+    await seenAt(...after.at(column, row), 1e-9);
+    assert.ok(farthest((await gridAtRest(page)).vertices, after.vertices) < 1e-9);
     // A run begins when the tool is left; the pieces have their corners where the grid had them.
     await app.change(() => app.button('Done').click());
     const job = await app.download('job');
-    const [, x, y] = /^3,2:([\d.]+),([\d.]+)$/.exec(JSON.parse(job.text).params.pins);
-    assert.ok(farthest([Number(x), Number(y)], after.at(3, 2)) < 1e-6);
+    const [, vertex, x, y] = /^(\d,\d):([\d.]+),([\d.]+)$/.exec(JSON.parse(job.text).params.pins);
+    assert.equal(vertex, `${column},${row}`);
+    assert.ok(farthest([Number(x), Number(y)], after.at(column, row)) < 1e-6);
     sameAsNative(await app.download('ZIP'), job, folder);
     native('run', join(folder, 'job.json'), '-o', join(folder, 'pieces.json'));
     const { features } = JSON.parse(readFileSync(join(folder, 'pieces.json')));
@@ -544,6 +554,31 @@ test('a result is improved for some seconds, and the job says how often that was
     assert.ok(report.metrics.cost <= report.metrics.greedy_cost);
     assert.equal(report.params.improveTries, tries);
     assert.deepEqual(report.metrics, JSON.parse(readFileSync(join(folder, 'out/report.json'))).metrics);
+  });
+});
+
+test('several targets are made of the same wood', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    writeFileSync(join(folder, 'tall.png'), png(50, 90, 0, (x, y) => 2 * y + x));
+    writeFileSync(join(folder, 'broken.png'), 'no picture');
+    await app.change(() =>
+      page.getByLabel('More', { exact: true }).setInputFiles([join(folder, 'tall.png'), join(folder, 'broken.png')]),
+    );
+    await page.getByRole('alert').getByText(/broken.png.* is not a picture/).waitFor();
+    const job = await app.download('job');
+    assert.equal(JSON.parse(job.text).inputs['target-2'], 'tall.png');
+    const files = sameAsNative(await app.download('ZIP'), job, folder);
+    assert.ok(files.has('preview-2.png'));
+    assert.match(await page.locator('.bar-text').textContent(), /2 targets/);
+    // Both are on the stage: a piece of the second is pointed at. The first is 72 x 60 mm, the second 60 x 108.
+    const [place] = await app.onPicture(132, 108, [[(72 + 30) / 132, 100 / 108]]);
+    await page.mouse.move(...place);
+    await page.locator('.piece-label').getByText(/^2-[A-F]1[01]$/).waitFor();
+    await app.change(() => app.button('Remove tall.png').click());
+    assert.equal((await jobOf(app)).inputs['target-2'], undefined);
+    await app.change(() => app.button('Undo').click());
+    assert.equal((await jobOf(app)).inputs['target-2'], 'tall.png');
   });
 });
 

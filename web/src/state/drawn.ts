@@ -36,6 +36,8 @@ export interface Drawn {
   readonly shapes: PictureFile | null;
   /** A file that tells where points are many. */
   readonly density: PictureFile | null;
+  /** More pictures that are made of the same wood. */
+  readonly targets: readonly PictureFile[];
   /** Of a technique that is made of wood, whatever the picture; null before anybody has chosen any. */
   readonly panels: readonly PanelFile[] | null;
 }
@@ -46,6 +48,7 @@ export const kNothingDrawn: Drawn = {
   edgeMask: [],
   shapes: null,
   density: null,
+  targets: [],
   panels: null,
 };
 export const isNothing = ({ guides, regions, edgeMask, shapes, density }: Drawn) =>
@@ -68,6 +71,9 @@ export const kRegions = [
 const kUnpainted = kRegions[1].colour;
 export const kDensity = 'density'; // role and slot
 const kGuideWidth = 3; // px
+
+/** Role and slot of one more target: "target-2". */
+export const targetRole = (index: number): string => `target-${index + 2}`;
 
 /** A picture that was drawn. Its role in the job names its slot and, with .png, its file, where it has no name yet. */
 export interface DrawnPicture {
@@ -113,6 +119,7 @@ export async function drawnPictures(drawn: Drawn, { width, height }: Size): Prom
   const pictures: DrawnPicture[] = [];
   if (drawn.density) pictures.push({ role: kDensity, ...drawn.density });
   if (drawn.shapes) pictures.push({ role: kLabels, ...drawn.shapes });
+  drawn.targets.forEach((target, i) => pictures.push({ role: targetRole(i), ...target }));
   for (const { of, role, ground, draw } of kSheets) {
     if (drawn[of].length === 0) continue;
     const size = `${width} ${height}`;

@@ -80,10 +80,10 @@ export function changePanels(panels: readonly PanelFile[], options: string, key 
   if (change(key, { drawn: same ? drawn : { ...drawn, panels }, params: next })) runSoon();
 }
 
-/** What was drawn belongs to the picture that it was drawn on; wood does not. Does not run. */
+/** What was drawn belongs to the picture that it was drawn on; wood and other targets do not. Does not run. */
 export function dropDrawn(): void {
   const { drawn } = edits.value.present;
-  if (!isNothing(drawn)) change('', { drawn: { ...kNothingDrawn, panels: drawn.panels } });
+  if (!isNothing(drawn)) change('', { drawn: { ...kNothingDrawn, panels: drawn.panels, targets: drawn.targets } });
 }
 
 /** The same of what was corrected in it, and of a label picture of it. Does not run. */

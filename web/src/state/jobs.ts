@@ -1,6 +1,7 @@
 // Opening a job, from JSON or from an SVG that Tessera made.
 
 import { entryOf } from '../techniques/index';
+import { targetRole } from './drawn';
 import { changeParams, dropDrawn } from './edits';
 import { differing } from './form';
 import { takesLabels } from './labels';
@@ -76,9 +77,10 @@ const haveWood = (file: string) =>
 /** Whether the job was made with what is drawn here now. */
 function sameDrawn(inputs: Readonly<Record<string, string>>): boolean {
   const { edges, regions, density, [kEdgeMask]: mask, [kLabels]: labelPath, ...others } = inputs;
-  const { guides, regions: strokes, density: file, edgeMask, shapes } = drawn.value;
+  const { guides, regions: strokes, density: file, edgeMask, shapes, targets } = drawn.value;
   return (
-    !Object.keys(others).length &&
+    Object.keys(others).length === targets.length &&
+    targets.every(({ name }, i) => nameOf(others[targetRole(i)]) === name) &&
     Boolean(edges) === guides.length > 0 &&
     Boolean(regions) === strokes.length > 0 &&
     Boolean(mask) === edgeMask.length > 0 &&

@@ -7,6 +7,7 @@ const number = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 
 function facts({ counts, metrics }: RunResult): string[] {
   const words = [counted(counts['pieces'] ?? 0, 'pieces')];
+  if (counts['targets']) words.push(counted(counts['targets'], 'targets'));
   const { wood_used: used, cost_per_px: cost, cut_mm: cut } = metrics;
   if (counts['missing']) words.push(`${number.format(counts['missing'])} without wood`);
   if (used !== undefined) words.push(`${percent.format(used)} of the wood`);

@@ -225,7 +225,7 @@ function GridTools() {
   const { value: vertex } = chosen;
   return (
     <div class="sketch-tools tool-group" role="toolbar" aria-label="Grid">
-      <span class="tool-words" role="status">
+      <span class="tool-words grid-words" role="status">
         {vertex && grid.value ? wordsOn(vertex) : laid ? counted(laid, 'corners laid') : 'Drag corners of the grid'}
       </span>
       <ToolGap />

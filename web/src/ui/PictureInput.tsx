@@ -1,11 +1,12 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { Brush, Grid2x2Check, Grid3x3, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
+import { Brush, Grid2x2Check, Grid3x3, Images, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
 import { leaveLabels, takesLabels, useLabels } from '../state/labels';
 import { usePicture, useSample } from '../state/pictures';
 import { leaveShapes, takesShapes, useShapes } from '../state/shapes';
 import { startSketch } from '../state/sketch';
 import { byLabels, drawn, entry, labels, params, picture, tool } from '../state/store';
+import { addTargets, removeTarget, targets } from '../state/targets';
 import { useWord } from '../state/word';
 
 export const kPictureTypes = 'image/png,image/jpeg,image/webp,image/bmp,image/gif,image/tiff,.tif,.tiff';
@@ -22,6 +23,7 @@ export function PictureInput() {
           <ImageUp size={20} aria-hidden />
           {entry.value.pictureTitle ?? 'Image'}
         </label>
+        {entry.value.panels && <TargetsButton />}
         {takesLabels() && <LabelsButton hint={kPebblesHint} types={kPictureTypes} use={useLabels} />}
         {takesShapes() && (
           <LabelsButton hint={kShapesHint} types={`${kPictureTypes},image/svg+xml,.svg`} use={useShapes} />
@@ -78,6 +80,7 @@ export function PictureInput() {
           </span>
         </p>
       )}
+      {entry.value.panels && <TargetList />}
       {takesLabels() && byLabels.value && labels.value && (
         <LabelsName
           of="pebbles"
@@ -122,6 +125,43 @@ function ToolButton({ name }: { name: keyof typeof kTools }) {
       {title}
     </button>
   );
+}
+
+/** More pictures of the same wood. */
+function TargetsButton() {
+  return (
+    <label class="source" title="More pictures to be made of the same wood, as large as the first">
+      <input
+        type="file"
+        multiple
+        class="unseen"
+        accept={kPictureTypes}
+        onChange={({ currentTarget: input }) => {
+          void addTargets([...(input.files ?? [])]);
+          input.value = '';
+        }}
+      />
+      <Images size={20} aria-hidden />
+      More
+    </label>
+  );
+}
+
+function TargetList() {
+  return targets().map((target) => (
+    <p key={target.name} class="picture-name labels-name" title={target.name}>
+      <span>and</span> {target.name}
+      <button
+        type="button"
+        class="tool"
+        aria-label={`Remove ${target.name}`}
+        title={`Without ${target.name}`}
+        onClick={() => removeTarget(target)}
+      >
+        <X size={15} aria-hidden />
+      </button>
+    </p>
+  ));
 }
 
 const kPebblesHint =

@@ -255,7 +255,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
     });
     const seamless = request.job.params['seamless'] === true;
     show(
-      { type: 'pieces', id, pieces, ground, scale: folder?.scale ?? request.scale, seamless, face },
+      { type: 'pieces', id, pieces, ground, scale: folder?.wood.scale ?? request.scale, seamless, face },
       face ? [...transferable(pieces), face] : transferable(pieces),
     );
     const formats = noise ? ['png'] : request.formats;
@@ -306,9 +306,13 @@ const dpisOf = (panels: NonNullable<RunRequest['panels']>) =>
   panels.map(({ name, dpi }) => ({ dpi: dpi || dpiIn(kPanel + name) }));
 
 /** Shows a parquetry piece by piece, some frames a second. */
-function grower(id: number, { job, panels }: RunRequest): { onState?(state: () => string): void } {
-  const target = pictures.get(kPicture)?.opened;
-  if (!panels || !target) return {};
+function grower(id: number, { job, inputs, panels }: RunRequest): { onState?(state: () => string): void } {
+  if (!panels) return {};
+  const targets = Object.entries(inputs)
+    .filter(([role]) => /^target(-|$)/.test(role))
+    .sort(([a], [b]) => a.length - b.length || (a < b ? -1 : 1))
+    .flatMap(([, slot]) => pictures.get(slot)?.opened ?? []);
+  if (!targets.length) return {};
   const scans = [...panels]
     .sort((a, b) => (a.name < b.name ? -1 : 1))
     .flatMap(({ name, dpi }) => {
@@ -316,7 +320,7 @@ function grower(id: number, { job, panels }: RunRequest): { onState?(state: () =
       return held?.whole ? { name, dpi: dpi || held.opened.dpi, picture: held.whole } : [];
     });
   const number = (key: string) => Number(job.params[key]);
-  const growing = new Growing(scans, target, number('imageSizeMm'), number('resolutionDpi'), number('copies'));
+  const growing = new Growing(scans, targets, number('imageSizeMm'), number('resolutionDpi'), number('copies'));
   let shown = -Infinity;
   return {
     onState: (state) => {
@@ -334,8 +338,6 @@ interface Folder {
   files: readonly Artifact[];
   preview: ImageBitmap | null;
   wood: Wood;
-  /** Of its pixels, to one of the target. */
-  scale: number;
 }
 
 async function openFolder(tessera: Tessera, { job, panels }: RunRequest, pieces: Pieces): Promise<Folder> {
@@ -343,12 +345,9 @@ async function openFolder(tessera: Tessera, { job, panels }: RunRequest, pieces:
   const preview = await previewOf(files);
   const mmPerPx = 25.4 / matchingDpi(dpisOf(panels ?? []), Number(job.params['resolutionDpi']));
   const names = (panels ?? []).map(({ name }) => name);
-  return {
-    files,
-    preview,
-    wood: await woodOf(files, pieces, mmPerPx, names),
-    scale: pieces.height / (pictures.get(kPicture)?.opened.height ?? pieces.height),
-  };
+  const height = preview?.firstHeight ?? pieces.height;
+  const scale = height / (pictures.get(kPicture)?.opened.height ?? height);
+  return { files, preview: preview?.all ?? null, wood: await woodOf(files, pieces, mmPerPx, names, scale) };
 }
 
 async function zipOfRun(

@@ -77,6 +77,8 @@ export interface Wood {
   pieces: WoodPiece[];
   panels: PanelPicture[];
   assembly: Blob;
+  /** Pixels of the run's pieces to one of the first target's. */
+  scale: number;
 }
 
 /** What is asked of the engine about a job and its pictures. */
@@ -218,6 +220,8 @@ export type ToPainter =
   | { type: 'view'; view: View }
   /** There is no picture: pieces lie on a sheet of this size. Null: on the picture. */
   | { type: 'sheet'; sheet: Size | null }
+  /** Pieces go beyond the picture: so far, px of it. Null: they do not. */
+  | { type: 'extent'; extent: Size | null }
   | { type: 'look'; look: Look }
   | { type: 'point'; at: Point | null }
   /** Forget runs up to this one that have not come to an end. */
