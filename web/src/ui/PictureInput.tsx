@@ -17,7 +17,7 @@ export function PictureInput() {
   return (
     <section class="group" aria-labelledby="picture-title">
       <h2 id="picture-title">Picture</h2>
-      <div class="sources">
+      <div class="sources" data-wraps={entry.value.panels !== undefined}>
         <label class="source">
           <input type="file" class="unseen" accept={kPictureTypes} onChange={onFile} />
           <ImageUp size={20} aria-hidden />
