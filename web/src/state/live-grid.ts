@@ -11,7 +11,8 @@ import { askingNow, pause, runOwed, showProblems } from './runner';
 import { alertWith, clearAlerts, drawn, kPins, params, picture, seed, shaping, type PictureInfo } from './store';
 import { calm } from './theme';
 
-const kSteps = 3; // a frame
+const kPace = 0.18; // steps a millisecond, however many frames there are
+const kMostSteps = 30; // a frame
 const kGlide = 250; // ms
 
 export interface Shown extends GridSize {
@@ -93,14 +94,18 @@ async function begin(now: PictureInfo | null): Promise<void> {
 async function relax(): Promise<void> {
   if (relaxing) return;
   relaxing = true;
+  let last = performance.now();
   while (grid.value && !laying && (dragged.value || !grid.value.atRest)) {
     const mine = newest;
     const frame = nextFrame();
-    const answer = await client.relaxGrid(kSteps, dragged.value);
+    const now = performance.now();
+    const most = Math.min(kMostSteps, Math.max(1, Math.round(kPace * (now - last))));
+    last = now;
+    const answer = await client.relaxGrid(most, dragged.value);
     if (!answer) break;
     if (mine === newest && grid.value && !laying && !gliding.value) {
       const { vertices, steps } = answer;
-      grid.value = { ...grid.value, vertices, steps: grid.value.steps + steps, atRest: steps < kSteps };
+      grid.value = { ...grid.value, vertices, steps: grid.value.steps + steps, atRest: steps < most };
     }
     await frame;
   }

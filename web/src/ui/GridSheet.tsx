@@ -147,7 +147,8 @@ export function GridLines({ faint = false }: { faint?: boolean }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useSignalEffect(() => {
     const { width, height } = stageSize.value;
-    const context = canvas.current?.getContext('2d');
+    // Drawn by the processor: thousands of thin lines are what software in the place of a graphics card is slowest at.
+    const context = canvas.current?.getContext('2d', { willReadFrequently: true });
     if (!canvas.current || !context) return;
     const ratio = devicePixelRatio;
     canvas.current.width = Math.round(width * ratio);
