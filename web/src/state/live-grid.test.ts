@@ -58,7 +58,7 @@ beforeEach(async () => {
   tool.value = null;
   technique.value = 'parquetry';
   picture.value = { name: 'target.png', sample: null, width: 100, height: 100 };
-  edits.value = freshEdits();
+  edits.value = freshEdits({ grid: 'morphed' });
   engine.begun = [];
   vi.clearAllMocks();
   tool.value = 'grid';
@@ -109,6 +109,12 @@ test('a laid corner is let go', async () => {
   release(middle);
   expect(params.value['pins']).toBeUndefined();
   await vi.waitFor(() => expect(placeOf(middle).x).toBe(6));
+});
+
+test('it is left where the pieces come from elsewhere', async () => {
+  edits.value = freshEdits({ grid: 'regular' });
+  expect(tool.value).toBeNull();
+  expect(grid.value).toBeNull();
 });
 
 test('the nearest corner is pressed, but none of the four that stay', () => {

@@ -8,7 +8,19 @@ import { changeValues, endStep } from './edits';
 import { client } from './page';
 import { pinOf, readPins, withoutPin, type Pin, type Vertex } from './pins';
 import { askingNow, pause, runOwed, showProblems } from './runner';
-import { alertWith, clearAlerts, drawn, kPins, params, picture, seed, shaping, type PictureInfo } from './store';
+import {
+  alertWith,
+  clearAlerts,
+  drawn,
+  kPins,
+  params,
+  picture,
+  seed,
+  shaping,
+  tool,
+  usesTools,
+  type PictureInfo,
+} from './store';
 import { calm } from './theme';
 
 const kPace = 0.18; // steps a millisecond, however many frames there are
@@ -48,6 +60,10 @@ let laying = false;
 export function bindGrid(): void {
   effect(() => {
     if (!shaping.value) return untracked(close);
+    if (!usesTools.value) {
+      tool.value = null;
+      return;
+    }
     void [params.value, drawn.value, seed.value];
     const { value: now } = picture;
     untracked(() => void begin(now));

@@ -119,6 +119,9 @@ export const sheet = computed(() => (inputRole.value ? picture.value : sheetSize
 /** The grid follows the picture. */
 export const isMorphed = (values: Params): boolean => values['grid'] === 'morphed';
 
+/** Whether the tools have anything to do: a grid has no corners to drag where the pieces come from elsewhere. */
+export const usesTools = computed(() => !drawn.value.shapes && (entry.value.usesTools?.(params.value) ?? true));
+
 /** Every parameter's value. */
 export const currentParams = (): Params =>
   Object.fromEntries(fields.value.map((field) => [field.key, valueOf(field, params.value)]));

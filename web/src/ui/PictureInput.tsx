@@ -5,7 +5,7 @@ import { leaveLabels, takesLabels, useLabels } from '../state/labels';
 import { usePicture, useSample } from '../state/pictures';
 import { leaveShapes, takesShapes, useShapes } from '../state/shapes';
 import { startSketch } from '../state/sketch';
-import { byLabels, drawn, entry, labels, params, picture, tool } from '../state/store';
+import { byLabels, drawn, entry, labels, picture, tool, usesTools } from '../state/store';
 import { addTargets, removeTarget, targets } from '../state/targets';
 import { useWord } from '../state/word';
 
@@ -28,7 +28,7 @@ export function PictureInput() {
         {takesShapes() && (
           <LabelsButton hint={kShapesHint} types={`${kPictureTypes},image/svg+xml,.svg`} use={useShapes} />
         )}
-        {toolsHere().map((name) =>
+        {(usesTools.value ? entry.value.tools : []).map((name) =>
           name === 'word' ? (
             <button
               type="button"
@@ -102,12 +102,6 @@ const kTools = {
   regions: { title: 'Sizes', hint: 'Paint where tiles are large and where small', Icon: Paintbrush },
   grid: { title: 'Corners', hint: 'Drag the corners of the grid to where you want them', Icon: Grid3x3 },
   edges: { title: 'Edges', hint: 'Paint which edges of the picture the grid follows', Icon: Brush },
-};
-
-/** A grid has no corners to drag where the pieces come from a file. */
-const toolsHere = () => {
-  const { tools, usesTools } = entry.value;
-  return !drawn.value.shapes && (usesTools?.(params.value) ?? true) ? tools : [];
 };
 
 function ToolButton({ name }: { name: keyof typeof kTools }) {
