@@ -155,8 +155,10 @@ export function GridLines({ faint = false }: { faint?: boolean }) {
     canvas.current.height = Math.round(height * ratio);
     context.scale(ratio, ratio);
     drawEdges(context, faint ? 1 : 0.55);
-    if (!faint) drawLines(context, 4, '#ffffffb0');
-    drawLines(context, faint ? 1 : 1.6, accentOf(shade.value));
+    context.globalAlpha = 0.7;
+    if (!faint) drawLines(context, 4, colourOf('--raised', shade.value));
+    context.globalAlpha = 1;
+    drawLines(context, faint ? 1 : 1.6, colourOf('--accent', shade.value));
   });
   const { width, height } = stageSize.value;
   return (
@@ -169,7 +171,9 @@ export function GridLines({ faint = false }: { faint?: boolean }) {
   );
 }
 
-const accentOf = (_: unknown) => getComputedStyle(document.documentElement).getPropertyValue('--accent').trim();
+/** Of the styles, which follow the shade. */
+const colourOf = (name: string, _: unknown) =>
+  getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 function drawLines(context: CanvasRenderingContext2D, width: number, colour: string): void {
   const { value: shown } = grid;
