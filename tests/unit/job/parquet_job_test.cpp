@@ -64,6 +64,33 @@ class ParquetJobTest : public ::testing::Test {
   std::vector<std::string> stages;
 };
 
+TEST_F(ParquetJobTest, BeginsItsGridForPeopleToWorkOn) {
+  std::unique_ptr<parquetry::LiveGrid> grid;
+  const auto begin = [&](const Pictures& given) { return begin_live_grid({1, params, {}}, given, grid); };
+  const auto regular = begin(pictures());
+  ASSERT_FALSE(regular);
+  EXPECT_EQ(regular.error().field, "grid");
+  params.grid = parquetry::GridKind::kMorphed;
+  EXPECT_EQ(begin({{"panel-oak", view_of(panel)}}).error().field, "target");
+  ASSERT_TRUE(begin(pictures()));
+  EXPECT_EQ(grid->mm_per_px(), 1);
+  EXPECT_EQ(grid->size(), cv::Size(40, 40));
+  EXPECT_EQ(grid->grid().across(), 4);
+  // What has been found is kept while it is right.
+  const parquetry::LiveGrid* const first = grid.get();
+  const cv::Mat3b black(10, 10, cv::Vec3b(0, 0, 0)), wide(10, 20);
+  Pictures masked = pictures();
+  masked["edge-mask"] = view_of(black);
+  ASSERT_TRUE(begin(masked));
+  EXPECT_EQ(grid.get(), first);
+  EXPECT_EQ(cv::countNonZero(grid->counting().bilateral), 0);
+  masked["edge-mask"] = view_of(wide);
+  EXPECT_EQ(begin(masked).error().field, "edge-mask");
+  params.patch_mm = 20;
+  ASSERT_TRUE(begin(pictures()));
+  EXPECT_EQ(grid->grid().across(), 2);
+}
+
 TEST_F(ParquetJobTest, WhatComesAfterMatchingTakesNoMatching) {
   const auto first = run();
   ASSERT_TRUE(first.has_value());
