@@ -226,8 +226,9 @@ Result<Matched> match(const Job& job, const std::vector<Panel>& panels, parquetr
   if (!context.earlier.empty()) {
     auto earlier =
         parquetry::read_state(context.earlier, fingerprint, request.patches, params, panels.front().mm_per_px);
+    if (earlier && !parquetry::are_possible(*earlier, panels, params)) earlier.reset();
     if (!earlier && !context.earlier_if_fits)
-      return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
+      return fail(StatusCode::kInvalidInput, "", "is of another job or damaged, expected one that this job has left");
     if (earlier) request.earlier = *std::move(earlier);
   }
   Matched matched;

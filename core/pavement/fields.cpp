@@ -30,6 +30,8 @@ int thin_pixels(const cv::Mat1b& zones) {
 int choose_supersample(const Zones& zones, const Params& params) {
   if (params.supersample > 0) return params.supersample;
   constexpr double kThinShare = 0.002;
+  constexpr std::size_t kMostPixels = 100'000'000;  // of a drawing that may be made larger unasked
+  if (zones.map.total() > kMostPixels) return 1;
   const int thin = thin_pixels(zones.map);
   return thin > kThinShare * static_cast<double>(zones.map.total()) ? 2 : 1;
 }

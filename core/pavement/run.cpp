@@ -1,5 +1,8 @@
 #include "tessera/pavement/run.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
 
@@ -14,6 +17,22 @@
 
 namespace tessera::pavement {
 namespace {
+
+// Diagrams that take all the memory there is are slips.
+constexpr double kMostPixels = 4e8, kMostSites = 1 << 22;
+
+Result<void> check_size(const ImageView& drawing, const Params& params) {
+  const double pixels = static_cast<double>(drawing.width) * drawing.height, scale = std::max(1, params.supersample);
+  if (pixels * scale * scale > kMostPixels)
+    return fail(StatusCode::kInvalidParameter, "supersample",
+                fmt::format("makes a diagram of {:.0f} Mpx, expected at most {:.0f}", pixels * scale * scale / 1e6,
+                            kMostPixels / 1e6));
+  const double sites = pixels / (4 * params.half_side * params.half_side);  // Eq. 1
+  if (std::floor(sites) > kMostSites)
+    return fail(StatusCode::kInvalidParameter, "halfSide",
+                fmt::format("makes about {:.0f} stones, expected at most {:.0f}", sites, kMostSites));
+  return {};
+}
 
 // Cells to polygons (III.C): rings in pixels of the diagram, one a cell.
 std::vector<Ring> extract_stones(const Diagram& diagram, const Fields& fields, const Params& params,
@@ -61,6 +80,7 @@ Result<Output> run(const ImageView& drawing, const Params& requested, std::uint6
 
   Params params = requested;
   params.half_side = half_side_of({drawing.width, drawing.height}, requested);
+  if (auto good = check_size(drawing, params); !good) return tl::unexpected(good.error());
 
   context.stage("fields");
   const Fields fields = make_fields(drawing, params);

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "tessera/cli/signals.h"
 #include "tessera/io/sha256.h"
 #include "tessera/job/job_json.h"
 #include "tessera/job/techniques.h"
@@ -128,7 +129,8 @@ Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const s
                                                const Job& job, const JobResult& result, AtomicFiles& files) {
   std::vector<WrittenFile> written;
   const bool with_checksums = !report_paths(settings, formats).empty();
-  const auto write = [&](const std::string& path, const std::string& bytes) {
+  const auto write = [&](const std::string& path, const std::string& bytes) -> Result<void> {
+    if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
     written.push_back({path, bytes.size(), with_checksums ? sha256_hex(bytes) : ""});
     return files.add(path, bytes);
   };

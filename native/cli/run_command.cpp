@@ -7,6 +7,7 @@
 
 #include "tessera/cli/backend.h"
 #include "tessera/cli/checkpoint.h"
+#include "tessera/cli/flags.h"
 #include "tessera/cli/inputs.h"
 #include "tessera/cli/messages.h"
 #include "tessera/cli/outputs.h"
@@ -117,7 +118,9 @@ class Run {
     if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
     bar_.clear();
     if (!checkpoint_.path().empty()) files.remove(checkpoint_.path());
-    return files.commit();
+    auto done = files.commit();
+    end_time_limit();  // too late to be late
+    return done;
   }
 
   const Job& job_;
@@ -128,6 +131,18 @@ class Run {
   ProgressBar bar_{settings_.quiet ? ProgressMode::kNever : settings_.progress};
 };
 
+// Appends what changes the parameter that is the reason: "... (--half-side)".
+void name_flags(const Job& job, ParametersFrom from, Problems& problems) {
+  const auto append = [&](const std::vector<Parameter>& parameters, bool are_flags) {
+    for (Status& problem : problems)
+      for (const Parameter& parameter : parameters)
+        if (problem.code == StatusCode::kInvalidParameter && problem.field == parameter.info.key)
+          problem.message += " (" + (are_flags ? flag_of(parameter) : std::string("--set")) + ")";
+  };
+  append(parameters_of(job.params), from == ParametersFrom::kFlags);
+  append(setting_flags(), true);
+}
+
 }  // namespace
 
 void prepare(const Settings& settings) {
@@ -136,15 +151,18 @@ void prepare(const Settings& settings) {
   if (settings.timeout_s > 0) set_time_limit(settings.timeout_s);
 }
 
-int run_and_write(Job job, const Settings& settings, const std::string& folder) {
+int run_and_write(Job job, const Settings& settings, const std::string& folder, ParametersFrom from) {
   if (settings.seed) job.seed = *settings.seed;
   auto run = std::make_unique<Run>(job, settings);
-  const auto done = (*run)(folder);
+  auto done = (*run)(folder);
   const std::string kept = run->kept();
   run.reset();  // and its bar, before anything is said
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
-  if (stop_reason() == StopReason::kNone) return print_problems(done.error());
+  if (stop_reason() == StopReason::kNone) {
+    name_flags(job, from, done.error());
+    return print_problems(done.error());
+  }
   Status stopped = stop_status();
   if (!kept.empty()) stopped.message += "; what is done is kept in " + kept + ", --resume goes on";
   return print_problems({stopped});

@@ -25,7 +25,8 @@ class AtomicFiles {
   Result<void> add(const std::string& path, std::string_view bytes);
   // A file that commit() is to remove, once everything is in place; it need not be there.
   void remove(const std::string& path) { removed_.push_back(path); }
-  // Once, after the last add(). Where one cannot be put in place, those that were are removed again.
+  // Once, after the last add(). Where one cannot be put in place, those that were are removed again and what they
+  // replaced is back.
   Result<void> commit();
 
  private:

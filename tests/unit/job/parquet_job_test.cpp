@@ -91,6 +91,36 @@ TEST_F(ParquetJobTest, BeginsItsGridForPeopleToWorkOn) {
   EXPECT_EQ(grid->grid().across(), 2);
 }
 
+// A place that no run gives: of another panel or rotation, off the panel, or with another turn than its rotation's.
+TEST_F(ParquetJobTest, AStateThatSomebodyHasChangedIsRefused) {
+  const auto first = run();
+  ASSERT_TRUE(first.has_value());
+  const std::string& state = first->state;
+  std::size_t line = state.find('\n', state.find('\n') + 1) + 1;
+  const std::size_t end = state.find('\n', line);
+  const std::string head = state.substr(0, line), tail = state.substr(end);
+  std::vector<std::string> numbers;
+  for (std::size_t next = 0; line < end; line = next + 1) {
+    next = std::min(state.find(' ', line), end);
+    numbers.push_back(state.substr(line, next - line));
+  }
+  ASSERT_EQ(numbers.size(), 19u);
+  const auto with = [&](std::size_t place, const std::string& value) {
+    std::string text = head;
+    for (std::size_t i = 0; i < numbers.size(); ++i) text += (i > 0 ? " " : "") + (i == place ? value : numbers[i]);
+    return text + tail;
+  };
+  ASSERT_TRUE(run(with(9, numbers[9]), false).has_value());
+  const std::vector<std::pair<std::size_t, const char*>> changes = {
+      {9, "1"},   {9, "-2"},   {9, "1e12"}, {10, "3"}, {10, "-1"},   {11, "-1"},    {11, "1000"}, {12, "1e9"},
+      {14, "17"}, {15, "nan"}, {17, "1e9"}, {3, "2"},  {5, "1e300"}, {7, "999999"}, {13, "1e19"}, {18, "oak"}};
+  for (const auto& [place, value] : changes) {
+    const auto again = run(with(place, value), false);
+    ASSERT_FALSE(again.has_value()) << place << ' ' << value;
+    EXPECT_EQ(again.error().front().code, StatusCode::kInvalidInput);
+  }
+}
+
 TEST_F(ParquetJobTest, WhatComesAfterMatchingTakesNoMatching) {
   const auto first = run();
   ASSERT_TRUE(first.has_value());
