@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tessera/base/status.h"
+#include "tessera/image/image_view.h"
 
 namespace tessera {
 
@@ -21,6 +22,27 @@ class RowSource {
   // The next rows of pixels as an ImageView has them, without gaps; there are so many left. Errors are those of the
   // picture: kInvalidInput.
   virtual Result<void> read(int rows, std::uint8_t* pixels) = 0;
+};
+
+// Those of a picture in memory, which is read during the calls.
+class RowsOfView : public RowSource {
+ public:
+  explicit RowsOfView(const ImageView& view) : view_(view) {}
+  cv::Size size() const override { return {view_.width, view_.height}; }
+  Result<void> rewind() override {
+    next_ = 0;
+    return {};
+  }
+  Result<void> read(int rows, std::uint8_t* pixels) override {
+    const std::size_t bytes = std::size_t{3} * static_cast<std::size_t>(view_.width);
+    for (int end = next_ + rows; next_ < end; ++next_, pixels += bytes)
+      std::memcpy(pixels, view_.pixels + next_ * view_.stride, bytes);
+    return {};
+  }
+
+ private:
+  ImageView view_;
+  int next_ = 0;
 };
 
 // The rows of a picture that are at hand, some of its height; they move down.

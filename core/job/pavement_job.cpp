@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "tessera/job/guarded.h"
@@ -71,27 +70,6 @@ Histogram areas_plot(const pavement::Output& output) {
   plot.y_label = "number";
   return plot;
 }
-
-// Rows of a picture in memory.
-class RowsOfView : public RowSource {
- public:
-  explicit RowsOfView(const ImageView& view) : view_(view) {}
-  cv::Size size() const override { return {view_.width, view_.height}; }
-  Result<void> rewind() override {
-    next_ = 0;
-    return {};
-  }
-  Result<void> read(int rows, std::uint8_t* pixels) override {
-    const std::size_t bytes = std::size_t{3} * static_cast<std::size_t>(view_.width);
-    for (int y = 0; y < rows; ++y) std::memcpy(pixels + y * bytes, view_.pixels + (next_ + y) * view_.stride, bytes);
-    next_ += rows;
-    return {};
-  }
-
- private:
-  const ImageView& view_;
-  int next_ = 0;
-};
 
 void append(pavement::Output& all, pavement::Output part) {
   const auto move = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
