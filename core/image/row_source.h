@@ -69,8 +69,12 @@ class RowWindow {
     return first < end ? source_.read(end - first, rows_.ptr(first - begin)) : Result<void>{};
   }
 
-  // A part of the picture, of rows that are at hand; in the window's memory, until the next show().
-  cv::Mat3b part(cv::Rect where) const { return rows_(where - cv::Point(0, begin_)); }
+  // A part of the picture, of rows that are at hand; in the window's memory, until the next show(). To OpenCV it is a
+  // picture of its own, not a part of one, of which some filters would look at what is around it.
+  cv::Mat3b part(cv::Rect where) const {
+    const cv::Vec3b* first = &rows_(where.y - begin_, where.x);
+    return {where.height, where.width, const_cast<cv::Vec3b*>(first), rows_.step[0]};
+  }
   cv::Size size() const { return source_.size(); }
 
  private:

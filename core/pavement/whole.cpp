@@ -13,7 +13,8 @@ cv::Mat3b scaled_part(const RowWindow& rows, cv::Rect part, int scale) {
   const cv::Rect picture({0, 0}, rows.size());
   const cv::Point margin(kPartMargin, kPartMargin);
   const cv::Rect around = cv::Rect(part.tl() - margin, part.br() + margin) & picture;
-  return supersampled(rows.part(around), scale)(cv::Rect((part.tl() - around.tl()) * scale, part.size() * scale));
+  const cv::Rect inner((part.tl() - around.tl()) * scale, part.size() * scale);
+  return supersampled(rows.part(around), scale)(inner).clone();  // a picture of its own, as RowWindow::part() is
 }
 
 // Strips of whole rows, one after the other.
