@@ -159,11 +159,18 @@ Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const s
     auto done = write(file_name_in(settings.plots, artifact->name), artifact->bytes);
     if (!done) return tl::unexpected<Status>(std::move(done.error()));
   }
-  if (!settings.save_job.empty()) {
-    auto done = write(settings.save_job, job_to_text(job, Layout::kIndented) + "\n");
-    if (!done) return tl::unexpected<Status>(std::move(done.error()));
-  }
+  if (auto saved = save_job(settings, job, files, written); !saved)
+    return tl::unexpected<Status>(std::move(saved.error()));
   return written;
+}
+
+Result<void> save_job(const Settings& settings, const Job& job, AtomicFiles& files,
+                      std::vector<WrittenFile>& written) {
+  if (settings.save_job.empty()) return {};
+  const std::string bytes = job_to_text(job, Layout::kIndented) + "\n";
+  const bool with_checksum = !settings.report.empty();
+  written.push_back({settings.save_job, bytes.size(), with_checksum ? sha256_hex(bytes) : ""});
+  return files.add(settings.save_job, bytes);
 }
 
 }  // namespace tessera

@@ -95,7 +95,8 @@ Result<void> AtomicFiles::add(const std::string& path, std::string_view bytes) {
   struct stat info {};
   const bool exists = stat(path.c_str(), &info) == 0;
   if (path != "-" && exists && S_ISDIR(info.st_mode)) return unwritable(path, EISDIR);
-  if (is_stream(path, exists ? &info : nullptr)) {
+  last_is_stream_ = is_stream(path, exists ? &info : nullptr);
+  if (last_is_stream_) {
     streams_.push_back({path, std::string(bytes)});
     return {};
   }
@@ -105,6 +106,18 @@ Result<void> AtomicFiles::add(const std::string& path, std::string_view bytes) {
   files_.push_back(file);
   if (exists) fchmod(descriptor, info.st_mode & 07777);
   if (const int error = write_and_close(descriptor, bytes)) return unwritable(path, error);
+  return {};
+}
+
+Result<void> AtomicFiles::append(std::string_view bytes) {
+  if (last_is_stream_) {
+    streams_.back().bytes += bytes;
+    return {};
+  }
+  const Pending& file = files_.back();
+  const int descriptor = open(file.temporary.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return unwritable(file.path, errno);
+  if (const int error = write_and_close(descriptor, bytes)) return unwritable(file.path, error);
   return {};
 }
 
