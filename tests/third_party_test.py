@@ -7,6 +7,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PERMISSIVE = {'Apache-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'BSL-1.0', 'CC0-1.0', 'Hershey', 'IJG', 'ISC', 'MIT', 'Zlib', 'libpng-2.0',
               'libtiff'}
+OF_TOOLS = PERMISSIVE | {'0BSD', 'MPL-2.0', 'Python-2.0'}  # of which nothing is in what is built
+REGISTRY = 'https://registry.npmjs.org/'
 CMAKE_OWN = {'PkgConfig', 'Python3'}  # tools rather than libraries
 SYSTEM_HEADERS = re.compile(r'sys/.*|unistd\.h|fcntl\.h|poll\.h|malloc\.h')
 OWN_CMAKE_MODULES = re.compile(r'Find\w+\.cmake')
@@ -100,6 +102,58 @@ class ThirdParty(unittest.TestCase):
         for row in libraries:
             self.assertTrue(row['Version'] and row['What for'], row['Library'])
             self.assertLessEqual(set(row['Licence'].split(', ')), PERMISSIVE, row['Library'])
+
+
+def locked():
+    """What npm installs, by folder; packages of this repository are links."""
+    lock = json.loads((ROOT / 'package-lock.json').read_text(encoding='utf-8'))
+    return {folder: package for folder, package in lock['packages'].items()
+            if 'node_modules/' in folder and not package.get('link')}
+
+
+class Supply(unittest.TestCase):
+    def setUp(self):
+        self.rows = tables((ROOT / 'THIRD_PARTY.md').read_text(encoding='utf-8'))
+
+    def test_npm_unpacks_what_was_locked_and_runs_nothing(self):
+        self.assertTrue(locked())
+        for folder, package in locked().items():
+            self.assertTrue(package.get('resolved', REGISTRY).startswith(REGISTRY), folder)
+            self.assertTrue(package['integrity'].startswith('sha512-'), folder)
+            self.assertFalse(package.get('hasInstallScript'), folder)
+        for script in ('scripts/build-web', 'scripts/test', '.ci/run'):
+            for line in (ROOT / script).read_text(encoding='utf-8').splitlines():
+                if 'npm ci' in line or 'npm install' in line:
+                    self.assertIn('--ignore-scripts', line)
+
+    def test_licences_of_npm(self):
+        for folder, package in locked().items():
+            is_tool = package.get('dev') or package.get('devOptional')
+            licences = set(package['license'].strip('()').split(' AND '))
+            self.assertLessEqual(licences, OF_TOOLS if is_tool else PERMISSIVE, folder)
+
+    def test_versions_are_those_that_are_locked(self):
+        named = {}
+        for row in self.rows:
+            for name in re.findall(r'`([^`]+)`', row.get('Found as', '')):
+                named[name] = row
+        checked = 0
+        for folder, package in locked().items():
+            row = named.get(folder.removeprefix('node_modules/'))
+            if row is None or folder.startswith('node_modules/@types/'):
+                continue
+            version = row['Version'].split('.')
+            self.assertEqual(package['version'].split('.')[:len(version)], version, folder)
+            checked += 1
+        self.assertGreater(checked, 10)
+
+    def test_versions_are_those_that_webassembly_is_built_of(self):
+        text = (ROOT / 'scripts/wasm-dependencies').read_text(encoding='utf-8')
+        archives = re.findall(r'^ +"\S+ (\S+) [0-9a-f]{64}"$', text, re.MULTILINE)
+        self.assertGreater(len(archives), 5)
+        versions = {row['Version'].replace('-', '') for row in self.rows if 'Library' in row}
+        for archive in archives:
+            self.assertTrue(any(version in archive for version in versions), archive)
 
 
 class TheSearch(unittest.TestCase):

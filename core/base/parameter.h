@@ -27,6 +27,7 @@ struct ParameterInfo {
   const char* help = "";    // one line
   const char* symbol = "";  // the paper's
   bool advanced = false;    // folded away in the form
+  const char* bare = "";    // what the flag alone means, without a value; "": it needs one
 };
 
 template <class Enum>

@@ -21,6 +21,11 @@ namespace tessera {
 // SVG 1.1 with Inkscape layers: a rect in layer `grout`, one <path> a piece above it, the job in <metadata>. The
 // viewBox is in source pixels; width and height are in mm where the sheet has a width_mm.
 std::string write_svg(const PieceSheet& sheet);
+// The same in parts, for pieces that are not there all at once: what comes before the pieces, some pieces (those of
+// the sheet), what comes after them.
+std::string svg_head(const PieceSheet& sheet);
+void append_svg_pieces(std::string& out, const PieceSheet& sheet);
+std::string svg_foot();
 // DXF R2000, one closed LWPOLYLINE a ring, a layer a colour, millimetres, y up. Without width_mm 1 px is 1 mm. A
 // layer has the nearest of AutoCAD's 255 colours, its name the true one; more than 255 colours are merged into those.
 std::string write_dxf(const PieceSheet& sheet);
@@ -41,8 +46,8 @@ std::string write_bill_csv(const PieceSheet& sheet);
 std::string write_png(const Raster& raster, double pixels_per_metre = 0);
 // The picture of a sheet, as its PNG has it.
 Raster draw_sheet(const PieceSheet& sheet, double scale = 1);
-// PNG picture of the sheet, 8 bits in each of its channels or, of pieces of one colour, with a palette, anti-aliased by exact coverage,
-// `scale` output pixels a source pixel (> 0).
+// PNG picture of the sheet, 8 bits in each of its channels or, of pieces of one colour, with a palette, anti-aliased
+// by exact coverage, `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);
 
 // glTF 2.0 as one binary file, and as one text that holds its buffer. Textures are JPEG. A valid scene has finite

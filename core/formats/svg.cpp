@@ -107,17 +107,28 @@ void append_drawing_layer(std::string& out, const DrawingLayer& layer) {
 
 }  // namespace
 
-std::string write_svg(const PieceSheet& sheet) {
+std::string svg_head(const PieceSheet& sheet) {
   std::string out;
-  out.reserve(1024 + 2 * sheet.job_json.size() + room_for(sheet, 72 + 2 * sheet.kind.size(), 17));
   const bool physical = sheet.width_mm > 0;
   append_opening(out, {0, 0, sheet.width, sheet.height}, physical ? sheet.width_mm / sheet.width : 1,
                  physical ? "mm" : "px", sheet.job_json);
   append_grout(out, sheet);
   append_layer(out, sheet.layer);
+  return out;
+}
+
+void append_svg_pieces(std::string& out, const PieceSheet& sheet) {
   const std::string class_attribute = "\" class=\"" + sheet.kind + "\" fill=\"";
   for (const Piece& piece : sheet.pieces) append_piece(out, sheet, class_attribute, piece);
-  out += "</g>\n</svg>\n";
+}
+
+std::string svg_foot() { return "</g>\n</svg>\n"; }
+
+std::string write_svg(const PieceSheet& sheet) {
+  std::string out = svg_head(sheet);
+  out.reserve(out.size() + 1024 + room_for(sheet, 72 + 2 * sheet.kind.size(), 17));
+  append_svg_pieces(out, sheet);
+  out += svg_foot();
   return out;
 }
 

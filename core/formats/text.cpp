@@ -1,10 +1,13 @@
 #include "tessera/formats/text.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace tessera {
 namespace {
@@ -28,7 +31,11 @@ constexpr std::array<Triple, 1000> kTriples = [] {
 }  // namespace
 
 void append_number(std::string& out, double value) {
-  assert(std::abs(value) < 1e12);                       // neither infinite nor NaN
+  assert(std::isfinite(value));
+  if (std::abs(value) >= 1e15) {  // which has no thousandths: the area, mm2, of a kilometre of pixels
+    fmt::format_to(std::back_inserter(out), "{:.0f}", value);
+    return;
+  }
   const double shifted = std::abs(value) * 1000 + 0.5;  // cut off below, which rounds
   const auto thousandths = static_cast<std::uint64_t>(shifted);
   std::uint64_t whole = thousandths / 1000;

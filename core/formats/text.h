@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-// At most 3 decimals, rounded to the nearest, without trailing zeros, sign of zero or exponent. |value| < 1e12.
+// At most 3 decimals, rounded to the nearest, without trailing zeros, sign of zero or exponent; finite.
 void append_number(std::string& out, double value);
 void append_integer(std::string& out, std::int64_t value);
 // #rrggbb

@@ -19,7 +19,7 @@ void each_run(std::span<const Ring* const> rings, int width, int height, Visit&&
   for (const Ring* ring : rings)
     for (const Point p : *ring) top = std::min(top, p.y), bottom = std::max(bottom, p.y);
   std::vector<double> crossings;
-  const int first = std::max(0, static_cast<int>(std::ceil(std::max(top, 0.0) - 0.5)));
+  const int first = std::max(0, static_cast<int>(std::ceil(std::clamp<double>(top, 0, height) - 0.5)));
   for (int y = first; y < height && y + 0.5 < bottom; ++y) {
     crossings.clear();
     for (const Ring* ring : rings)

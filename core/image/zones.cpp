@@ -19,30 +19,8 @@ cv::Mat blurred(const cv::Mat& image, double sigma) {
   return out;
 }
 
-// Whether the greys along frontiers lie between the two sides' more often than not.
-bool is_anti_aliased(const cv::Mat1b& grey, const cv::Mat1b& zones, float dark, float light) {
-  const double low = dark + 0.1 * (light - dark), high = light - 0.1 * (light - dark);
-  int crossings = 0, between = 0;
-  for (int y = 0; y < zones.rows; ++y) {
-    for (int x = 1; x < zones.cols; ++x) {
-      if (zones(y, x) == zones(y, x - 1)) continue;
-      ++crossings;
-      const auto blends = [&](unsigned char v) { return v > low && v < high; };
-      between += blends(grey(y, x)) || blends(grey(y, x - 1));
-    }
-  }
-  return 2 * between > crossings;
-}
-
-std::array<double, 256> histogram_of(const cv::Mat1b& grey) {
-  std::array<double, 256> histogram{};
-  for (int y = 0; y < grey.rows; ++y)
-    for (const unsigned char* p = grey[y]; p != grey[y] + grey.cols; ++p) ++histogram[*p];
-  return histogram;
-}
-
 // Mean grey of the levels in [begin, end), or `otherwise` where there are none.
-double mean_level(const std::array<double, 256>& histogram, int begin, int end, double otherwise) {
+double mean_level(const GreyHistogram& histogram, int begin, int end, double otherwise) {
   double count = 0, sum = 0;
   for (int i = begin; i < end; ++i) {
     count += histogram[i];
@@ -52,7 +30,7 @@ double mean_level(const std::array<double, 256>& histogram, int begin, int end, 
 }
 
 // Otsu's threshold on the histogram, then half way between the two means.
-double find_threshold(const std::array<double, 256>& histogram) {
+double find_threshold(const GreyHistogram& histogram) {
   double total = 0, sum = 0;
   for (int i = 0; i < 256; ++i) {
     total += histogram[i];
@@ -102,46 +80,92 @@ double Zones::frontier(double x, double y, int a, int b) const {
   return std::clamp(along / std::max(norm, 1e-9), 0.0, 1.0) - 0.5;
 }
 
-Zones black_and_white(const cv::Mat3b& drawing, double threshold) {
+cv::Mat1b grey_of(const cv::Mat3b& drawing) {
   cv::Mat1b grey;
   cv::cvtColor(drawing, grey, cv::COLOR_RGB2GRAY);
-  const std::array<double, 256> histogram = histogram_of(grey);
-  Zones zones;
-  zones.threshold = threshold > 0 ? threshold * 255 : find_threshold(histogram);
-  const int first_white = static_cast<int>(std::ceil(zones.threshold));
-  // The same rule for both, so that a pixel's zone and the frontier beside it agree.
-  cv::threshold(grey, zones.map, first_white - 1, 1, cv::THRESH_BINARY);
+  return grey;
+}
+
+void add_levels(const cv::Mat1b& grey, GreyHistogram& histogram) {
+  for (int y = 0; y < grey.rows; ++y)
+    for (const unsigned char* p = grey[y]; p != grey[y] + grey.cols; ++p) ++histogram[*p];
+}
+
+ZoneRule two_zones(const GreyHistogram& histogram, double threshold) {
+  ZoneRule rule;
+  rule.threshold = threshold > 0 ? threshold * 255 : find_threshold(histogram);
+  const int first_white = rule.first_white();
   const float dark = static_cast<float>(mean_level(histogram, 0, first_white, 0));
   const float light = static_cast<float>(mean_level(histogram, first_white, 256, 255));
-  zones.smooth = blurred(grey, is_anti_aliased(grey, zones.map, dark, light) ? kSoftSigma : kHardSigma);
-  zones.levels = {cv::Vec3f::all(dark), cv::Vec3f::all(std::max(light, dark + 1))};
-  zones.palette = {{34, 34, 34}, {232, 232, 228}};
+  rule.levels = {cv::Vec3f::all(dark), cv::Vec3f::all(std::max(light, dark + 1))};
+  rule.palette = {{34, 34, 34}, {232, 232, 228}};
+  rule.lightest = light;
+  return rule;
+}
+
+int ZoneRule::first_white() const { return static_cast<int>(std::ceil(threshold)); }
+
+void add_crossings(const cv::Mat1b& grey, const ZoneRule& rule, Crossings& crossings) {
+  const float dark = rule.levels[0][0], light = rule.lightest;
+  const double low = dark + 0.1 * (light - dark), high = light - 0.1 * (light - dark);
+  const int first_white = rule.first_white();
+  for (int y = 0; y < grey.rows; ++y) {
+    const unsigned char* row = grey[y];
+    for (int x = 1; x < grey.cols; ++x) {
+      if ((row[x] >= first_white) == (row[x - 1] >= first_white)) continue;
+      ++crossings.all;
+      const auto blends = [&](unsigned char v) { return v > low && v < high; };
+      crossings.blended += blends(row[x]) || blends(row[x - 1]);
+    }
+  }
+}
+
+void smooth_as(const Crossings& crossings, ZoneRule& rule) {
+  rule.sigma = 2 * crossings.blended > crossings.all ? kSoftSigma : kHardSigma;
+}
+
+namespace {
+
+Zones divided(const cv::Mat1b& grey, const ZoneRule& rule) {
+  Zones zones;
+  zones.threshold = rule.threshold;
+  // The same rule for both, so that a pixel's zone and the frontier beside it agree.
+  cv::threshold(grey, zones.map, rule.first_white() - 1, 1, cv::THRESH_BINARY);
+  zones.smooth = blurred(grey, rule.sigma);
+  zones.levels = rule.levels;
+  zones.palette = rule.palette;
   return zones;
 }
 
-double threshold_for_share(const cv::Mat3b& drawing, double share) {
-  cv::Mat1b grey;
-  cv::cvtColor(drawing, grey, cv::COLOR_RGB2GRAY);
-  const std::array<double, 256> histogram = histogram_of(grey);
+}  // namespace
+
+Zones black_and_white(const cv::Mat3b& drawing, double threshold) {
+  const cv::Mat1b grey = grey_of(drawing);
+  GreyHistogram histogram{};
+  add_levels(grey, histogram);
+  ZoneRule rule = two_zones(histogram, threshold);
+  Crossings crossings;
+  add_crossings(grey, rule, crossings);
+  smooth_as(crossings, rule);
+  return divided(grey, rule);
+}
+
+double threshold_for_share(const GreyHistogram& histogram, double share) {
+  double total = 0;
+  for (const double count : histogram) total += count;
   double below = 0;
   int level = 0;
-  while (level < 255 && below + histogram[level] <= share * static_cast<double>(grey.total()))
-    below += histogram[level++];
+  while (level < 255 && below + histogram[level] <= share * total) below += histogram[level++];
   return std::max(1, level) / 255.0;
 }
 
 namespace {
 
-cv::Mat1f centres_of(const cv::Mat3f& lab, int colors) {
-  // About 128 x 128 samples decide the palette.
-  const int step = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(lab.total()) / 16384)));
-  cv::Mat1f samples(0, 3);
-  for (int y = step / 2; y < lab.rows; y += step)
-    for (int x = step / 2; x < lab.cols; x += step) {
-      const cv::Vec3f v = lab(y, x);
-      samples.push_back(cv::Mat1f({1, 3}, {v[0], v[1], v[2]}));
-    }
-  return lab_palette(samples, colors);
+cv::Mat3f lab_of(const cv::Mat3b& drawing) {
+  cv::Mat3f scaled, lab;
+  drawing.convertTo(scaled, CV_32F, 1.0 / 255);
+  cv::cvtColor(scaled, lab, cv::COLOR_RGB2Lab);
+  return lab;
 }
 
 // A pixel is solid where its 3x3 neighbourhood is of one zone; anti-aliased rims are not.
@@ -178,25 +202,61 @@ void absorb_blends(Zones& zones, const cv::Mat3b& drawing) {
   }
 }
 
-}  // namespace
+// About 128 x 128 samples decide the palette.
+int sample_step(cv::Size size) {
+  return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(size.width) * size.height / 16384)));
+}
 
-Zones colour_zones(const cv::Mat3b& drawing, int colors) {
-  cv::Mat3f scaled, lab;
-  drawing.convertTo(scaled, CV_32F, 1.0 / 255);
-  cv::cvtColor(scaled, lab, cv::COLOR_RGB2Lab);
-  const cv::Mat1f centres = centres_of(lab, colors);
+void add_lab_samples(const cv::Mat3f& lab, cv::Size whole, int first_row, cv::Mat1f& samples) {
+  const int step = sample_step(whole);
+  for (int y = 0; y < lab.rows; ++y) {
+    if ((first_row + y) % step != step / 2) continue;
+    for (int x = step / 2; x < lab.cols; x += step) {
+      const cv::Vec3f v = lab(y, x);
+      samples.push_back(cv::Mat1f({1, 3}, {v[0], v[1], v[2]}));
+    }
+  }
+}
+
+Zones divided(const cv::Mat3b& drawing, const cv::Mat3f& lab, const ZoneRule& rule) {
   Zones zones;
   zones.map.create(drawing.size());
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
-      zones.map(y, x) = static_cast<unsigned char>(nearest_colour(centres, lab(y, x)));
+      zones.map(y, x) = static_cast<unsigned char>(nearest_colour(rule.centres, lab(y, x)));
     }
   }
-  zones.palette = to_rgb(centres);
-  for (const Rgb c : zones.palette) zones.levels.push_back(cv::Vec3f(c.r, c.g, c.b));
+  zones.palette = rule.palette;
+  zones.levels = rule.levels;
   absorb_blends(zones, drawing);
-  zones.smooth = blurred(drawing, kSoftSigma);
+  zones.smooth = blurred(drawing, rule.sigma);
   return zones;
+}
+
+}  // namespace
+
+void add_samples(const cv::Mat3b& part, cv::Size whole, int first_row, cv::Mat1f& samples) {
+  add_lab_samples(lab_of(part), whole, first_row, samples);
+}
+
+ZoneRule colour_rule(const cv::Mat1f& samples, int colors) {
+  ZoneRule rule;
+  rule.centres = lab_palette(samples, colors);
+  rule.palette = to_rgb(rule.centres);
+  for (const Rgb c : rule.palette) rule.levels.push_back(cv::Vec3f(c.r, c.g, c.b));
+  rule.sigma = kSoftSigma;
+  return rule;
+}
+
+Zones colour_zones(const cv::Mat3b& drawing, int colors) {
+  const cv::Mat3f lab = lab_of(drawing);
+  cv::Mat1f samples(0, 3);
+  add_lab_samples(lab, drawing.size(), 0, samples);
+  return divided(drawing, lab, colour_rule(samples, colors));
+}
+
+Zones divide(const cv::Mat3b& part, const ZoneRule& rule) {
+  return rule.centres.empty() ? divided(grey_of(part), rule) : divided(part, lab_of(part), rule);
 }
 
 }  // namespace tessera

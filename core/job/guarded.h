@@ -12,6 +12,8 @@
 
 namespace tessera {
 
+inline constexpr const char* kOutOfMemory = "out of memory; smaller pictures and fewer pieces take less";
+
 // What `work` returns, a Result; OpenCV's exceptions and failed allocations become problems.
 template <class Work>
 auto guarded(const Work& work) -> tl::expected<typename decltype(work())::value_type, Problems> {
@@ -23,9 +25,9 @@ auto guarded(const Work& work) -> tl::expected<typename decltype(work())::value_
     if (result) return *std::move(result);
     return tl::unexpected<Problems>(Problems{std::move(result.error())});
   } catch (const std::bad_alloc&) {
-    return fault("out of memory");
+    return fault(kOutOfMemory);
   } catch (const cv::Exception& error) {
-    if (error.code == cv::Error::StsNoMem) return fault("out of memory");
+    if (error.code == cv::Error::StsNoMem) return fault(kOutOfMemory);
     return fault(fmt::format("OpenCV failed in {}: {}", error.func, error.err));
   }
 }

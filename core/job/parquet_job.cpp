@@ -54,6 +54,10 @@ std::vector<parquetry::Scan> scans_of(const Pictures& pictures) {
   return scans;
 }
 
+parquetry::Drawn drawn_in(const Pictures& pictures) {
+  return {picture_of(pictures, "segmentation"), picture_of(pictures, "edge-mask")};
+}
+
 // Inputs that do not go together: masks and options of panels that are not there, and two ways to make patches.
 Result<void> check_inputs(const Job& job, const Pictures& pictures) {
   const Technique& technique = *find_technique("parquetry");
@@ -69,6 +73,10 @@ Result<void> check_inputs(const Job& job, const Pictures& pictures) {
                   fmt::format("tells of {}, but there is no panel of that name", options.name));
   if (std::get<Params>(job.params).posterize > 0 && pictures.count("segmentation") != 0)
     return fail(StatusCode::kInvalidParameter, "posterize", "is set beside a segmentation, expected one of the two");
+  if (pictures.count("edge-mask") != 0 && std::get<Params>(job.params).grid != parquetry::GridKind::kMorphed)
+    return fail(StatusCode::kInvalidInput, "edge-mask",
+                "is given where the grid is regular, expected none, or grid "
+                "morphed");
   return {};
 }
 
@@ -155,14 +163,14 @@ std::vector<cv::Size> sizes_of(const std::vector<cv::Mat3b>& targets) {
 }
 
 // What is to be laid on each target.
-Result<parquetry::Request> request_of(const std::vector<ImageView>& targets, const ImageView& segmentation,
+Result<parquetry::Request> request_of(const std::vector<ImageView>& targets, const parquetry::Drawn& drawn,
                                       const Params& params, double mm_per_px) {
   parquetry::Request request;
   request.interleaved = params.sequence == parquetry::Sequence::kInterleaved;
   for (const ImageView& picture : targets) {
     const int index = static_cast<int>(request.targets.size());
     request.targets.push_back(parquetry::at_resolution(picture.mat(), params, mm_per_px));
-    const auto patches = parquetry::patches_of(request.targets.back(), segmentation, params, mm_per_px, index);
+    const auto patches = parquetry::patches_of(request.targets.back(), drawn, params, mm_per_px, index);
     if (!patches) return tl::unexpected<Status>(patches.error());
     request.patches.insert(request.patches.end(), patches->begin(), patches->end());
   }
@@ -218,8 +226,9 @@ Result<Matched> match(const Job& job, const std::vector<Panel>& panels, parquetr
   if (!context.earlier.empty()) {
     auto earlier =
         parquetry::read_state(context.earlier, fingerprint, request.patches, params, panels.front().mm_per_px);
+    if (earlier && !parquetry::are_possible(*earlier, panels, params)) earlier.reset();
     if (!earlier && !context.earlier_if_fits)
-      return fail(StatusCode::kInvalidInput, "", "is of another job, expected one that this job has left");
+      return fail(StatusCode::kInvalidInput, "", "is of another job or damaged, expected one that this job has left");
     if (earlier) request.earlier = *std::move(earlier);
   }
   Matched matched;
@@ -315,7 +324,7 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   if (auto good = check_size(targets, params, mm_per_px); !good)
     return tl::unexpected<Status>(std::move(good.error()));
   context.stage("patches");
-  const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, mm_per_px);
+  const auto request = request_of(targets, drawn_in(pictures), params, mm_per_px);
   if (!request) return tl::unexpected<Status>(request.error());
   warn_of_narrow_patches(*request, params, mm_per_px, context);
   auto matched = match(job, *panels, *request, context);
@@ -390,6 +399,22 @@ Result<std::string> describe_panels(const Job& job, const Pictures& pictures, co
 
 }  // namespace
 
+Result<void> begin_live_grid(const Job& job, const Pictures& pictures, std::unique_ptr<parquetry::LiveGrid>& grid) {
+  const auto& params = std::get<Params>(job.params);
+  if (params.grid != parquetry::GridKind::kMorphed)
+    return fail(StatusCode::kInvalidParameter, "grid", "is regular, expected morphed");
+  const double mm_per_px = parquetry::mm_per_px_of(scans_of(pictures), params);
+  const std::vector<ImageView> targets = targets_of(pictures, params);
+  if (targets.empty()) return fail(StatusCode::kInvalidInput, "target", "is missing, expected a picture");
+  if (auto good = check_size({targets.front()}, params, mm_per_px); !good) return good;
+  const cv::Mat3b target = parquetry::at_resolution(targets.front().mat(), params, mm_per_px);
+  const auto masks = parquetry::edge_masks_of(picture_of(pictures, "edge-mask"), target.size());
+  if (!masks) return tl::unexpected<Status>(masks.error());
+  if (!grid || !grid->is_of(target, params, mm_per_px))
+    grid = std::make_unique<parquetry::LiveGrid>(target, params, mm_per_px);
+  return grid->begin(params, *masks);
+}
+
 std::vector<Question> parquet_questions() {
   const auto plan = [](const Job& job, const Pictures& pictures, const RunContext&) -> Result<std::string> {
     const auto& params = std::get<Params>(job.params);
@@ -397,7 +422,7 @@ std::vector<Question> parquet_questions() {
     if (auto good = check_size(targets, params, parquetry::plan_mm_per_px(params)); !good)
       return tl::unexpected<Status>(std::move(good.error()));
     const double mm_per_px = parquetry::plan_mm_per_px(params);
-    const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, mm_per_px);
+    const auto request = request_of(targets, drawn_in(pictures), params, mm_per_px);
     if (!request) return tl::unexpected<Status>(request.error());
     return describe(parquetry::plan_of(sizes_of(request->targets), request->patches, params, mm_per_px), params);
   };
@@ -411,13 +436,13 @@ std::vector<Question> parquet_questions() {
     const std::vector<ImageView> targets = targets_of(pictures, params);
     if (auto good = check_size(targets, params, panels->front().mm_per_px); !good)
       return tl::unexpected<Status>(std::move(good.error()));
-    const auto request = request_of(targets, picture_of(pictures, "segmentation"), params, panels->front().mm_per_px);
+    const auto request = request_of(targets, drawn_in(pictures), params, panels->front().mm_per_px);
     if (!request) return tl::unexpected<Status>(request.error());
     return describe(parquetry::forecast_of(request->targets, request->patches, *panels, params), *panels, params);
   };
   return {{"plan",
            "Tell how many pieces, how much wood and cutting it takes; needs no panel",
-           {"target", "segmentation"},
+           {"target", "segmentation", "edge-mask"},
            plan},
           {"masks",
            "Tell where wood and marks are found on the panels, a line of JSON each",
@@ -425,7 +450,7 @@ std::vector<Question> parquet_questions() {
            describe_panels},
           {"forecast",
            "Tell whether the panels suffice, and make nothing",
-           {"target", "segmentation", "panel", "mask"},
+           {"target", "segmentation", "edge-mask", "panel", "mask"},
            forecast}};
 }
 

@@ -52,8 +52,8 @@ Result<void> take_feature(const PlainJson& feature, std::size_t index, PatternFi
   };
   if (!feature.is_object() || !feature.contains("geometry") || !feature["geometry"].is_object()) return wrong();
   const PlainJson& geometry = feature["geometry"];
-  const std::string type = geometry.value("type", "");
-  if (!geometry.contains("coordinates")) return wrong();
+  if (!geometry.contains("type") || !geometry.contains("coordinates")) return wrong();
+  const PlainJson& type = geometry["type"];
   if (type == "Point") {
     const auto p = point_of(geometry["coordinates"]);
     if (!p) return wrong();
@@ -76,7 +76,6 @@ Result<PatternFile> from_features(const PlainJson& json) {
   const PlainJson& features = json["features"];
   for (std::size_t i = 0; i < features.size(); ++i)
     if (auto done = take_feature(features[i], i, file); !done) return tl::unexpected<Status>(std::move(done.error()));
-  if (!file.cells.empty() && !file.points.empty()) return unusable("has Polygons and Points, expected one kind");
   return file;
 }
 
@@ -221,6 +220,8 @@ Result<PatternFile> read_any(std::string_view bytes) {
 Result<PatternFile> read_pattern_file(std::string_view bytes) {
   auto file = read_any(bytes);
   if (file && file->cells.empty() && file->points.empty()) return unusable("has neither cells nor points");
+  if (file && !file->cells.empty() && !file->points.empty())
+    return unusable("has both cells and points, expected one kind");
   return file;
 }
 

@@ -65,6 +65,16 @@ double png_scale_of(const PieceSheet& sheet, double asked) {
   return std::clamp(std::floor(2048 / std::max({sheet.width, sheet.height, 1.0})), 1.0, 4.0);
 }
 
+// Of a PNG: more is too much for other programs as well.
+Result<void> check_png_size(const PieceSheet& sheet, double scale) {
+  constexpr double kMostPixels = 1 << 30;
+  const double width = sheet.width * scale, height = sheet.height * scale;
+  if (width * height <= kMostPixels) return {};
+  return fail(StatusCode::kInvalidParameter, "pngScale",
+              fmt::format("makes a picture of {:.0f} x {:.0f} px, expected at most {:.0f} Mpx", width, height,
+                          kMostPixels / 1e6));
+}
+
 void check_seed(const Job& job, Problems& problems) {
   if (job.seed <= kMaxSeed) return;
   problems.push_back(
@@ -117,6 +127,8 @@ Result<std::vector<Artifact>> write_valid_artifacts(const Outcome& outcome, cons
       continue;
     }
     const Format& format = format_of(name);
+    if (name == "png" || name == "apng")
+      if (auto good = check_png_size(outcome.sheet, scale); !good) return tl::unexpected<Status>(good.error());
     artifacts.push_back({format.name, format.media_type, format.write(outcome, scale)});
     context.progress(static_cast<double>(artifacts.size()) / static_cast<double>(request.formats.size()));
   }

@@ -90,6 +90,12 @@ struct Transform {
     return {s.a * t.a + s.c * t.b, s.b * t.a + s.d * t.b,       s.a * t.c + s.c * t.d,
             s.b * t.c + s.d * t.d, s.a * t.e + s.c * t.f + s.e, s.b * t.e + s.d * t.f + s.f};
   }
+  // Within what points times it leave finite.
+  bool is_usable() const {
+    constexpr double kMost = 1e100;
+    const auto small = [](double v) { return std::abs(v) < kMost; };
+    return small(a) && small(b) && small(c) && small(d) && small(e) && small(f);
+  }
 };
 
 std::optional<Transform> transform_of(std::string_view text) {
@@ -273,6 +279,11 @@ class PathReader {
     const Point half = 0.5 * (at_ - to);
     const Point own{tilt.cos * half.x + tilt.sin * half.y, tilt.cos * half.y - tilt.sin * half.x};
     const double size = own.x * own.x / (rx * rx) + own.y * own.y / (ry * ry);
+    constexpr double kFlat = 1e-20;  // of a circle as large as that a chord is the arc
+    if (size < kFlat) {
+      line_to(to);
+      return true;
+    }
     if (size > 1) rx *= std::sqrt(size), ry *= std::sqrt(size);
     const double flat = std::max(0.0, 1 / std::min(size, 1.0) - 1);
     const double factor = (large == sweep ? -1 : 1) * std::sqrt(flat);
@@ -368,8 +379,8 @@ Result<Canvas> canvas_of(std::string_view tag, std::uint64_t max_pixels) {
   Canvas canvas{{}, {pixels(width), pixels(height), 3, 8, {}}};
   const Raster& raster = canvas.raster;
   if (static_cast<std::uint64_t>(raster.width) * static_cast<std::uint64_t>(raster.height) > max_pixels)
-    return unusable(
-        fmt::format("is painted in {} x {} pixels, expected at most {}", raster.width, raster.height, max_pixels));
+    return unusable(fmt::format("is painted in {} x {} px, expected at most {:.6g} Mpx (--max-pixels)", raster.width,
+                                raster.height, static_cast<double>(max_pixels) / 1e6));
   const double x = raster.width / width, y = raster.height / height;
   canvas.to_pixels = {x, 0, 0, y, -left * x, -top * y};
   canvas.raster.bytes.assign(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height) * 3, 0);
@@ -434,6 +445,8 @@ Result<Raster> read_shapes(std::string_view svg, std::uint64_t max_pixels) {
       const auto own = transform_of(attribute_of(tag->text, "transform").value_or(""));
       if (!own) return unusable(fmt::format("has a transform of {} that cannot be read", tag->local_name()));
       level.transform = level.transform * *own;
+      if (!level.transform.is_usable())
+        return unusable(fmt::format("has a transform of {} that leads too far", tag->local_name()));
       auto rings = rings_of(*tag, shapes + 1);
       if (!rings) return tl::unexpected<Status>(std::move(rings.error()));
       if (!rings->empty()) {

@@ -1,5 +1,7 @@
 #include "tessera/parquetry/edge_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
@@ -18,35 +20,52 @@ constexpr double kLevels = 25;                             // a tenth of the ran
 constexpr double kLargeShare = 0.12, kFineShare = 0.06;    // of the pixels: whose gradients may begin an edge
 constexpr double kShortestLarge = 0.5, kShortestFine = 1;  // of a cell
 
-cv::Mat1b edges_of(const cv::Mat1b& smooth, double share, double shortest) {
+cv::Mat1b edges_in(const cv::Mat1b& smooth, double share, double shortest) {
   cv::Mat3b three;
   cv::cvtColor(smooth, three, cv::COLOR_GRAY2RGB);
   return find_edges(three, {0.7, share, shortest});
 }
 
 // Eq. 5's Hadamard product.
-void apply(const cv::Mat1b& mask, cv::Mat1b& edges) {
-  if (mask.empty()) return;
+cv::Mat1b masked(const cv::Mat1b& edges, const cv::Mat1b& mask) {
+  if (mask.empty()) return edges;
   cv::Mat1b stretched;
   cv::resize(mask, stretched, edges.size(), 0, 0, cv::INTER_NEAREST);
-  edges.setTo(0, stretched == 0);
+  return edges & (stretched != 0);
 }
 
 }  // namespace
 
-EdgePicture::EdgePicture(const cv::Mat3b& target, const Grid& grid, double reach, const EdgeMasks& masks) {
+Result<EdgeMasks> edge_masks_of(const ImageView& picture, cv::Size target) {
+  if (!picture.pixels) return EdgeMasks{};
+  if (!has_proportions(picture, target))
+    return fail(StatusCode::kInvalidInput, "edge-mask",
+                fmt::format("is {} x {}, expected the target's proportions, {} to {}", picture.width, picture.height,
+                            target.width, target.height));
+  std::vector<cv::Mat1b> channels;
+  cv::split(picture.mat(), channels);
+  return EdgeMasks{channels[0] >= 128, channels[2] >= 128};
+}
+
+FoundEdges edges_of(const cv::Mat3b& target, const Grid& grid) {
   const cv::Mat3b picture = shrunk({target.data, target.cols, target.rows, static_cast<std::ptrdiff_t>(target.step)},
                                    std::max(1, kPxPerCell * grid.across()));
-  px_ = {static_cast<double>(target.cols) / picture.cols, static_cast<double>(target.rows) / picture.rows};
   const cv::Mat1b levels = intensity_of(picture);  // what of the picture wood can show
   const double cell = static_cast<double>(picture.cols) / grid.across();
-  cv::Mat1b large =
-      edges_of(rolling_guidance(levels, {kSmall * cell, kLevels}, kRounds), kLargeShare, kShortestLarge * cell);
-  cv::Mat1b fine =
-      edges_of(joint_bilateral(levels, levels, {kTiny * cell, kLevels}), kFineShare, kShortestFine * cell);
-  apply(masks.rolling_guidance, large);
-  apply(masks.bilateral, fine);
-  edges_ = cv::max(cv::Mat(large), cv::Mat(fine));
+  return {edges_in(rolling_guidance(levels, {kSmall * cell, kLevels}, kRounds), kLargeShare, kShortestLarge * cell),
+          edges_in(joint_bilateral(levels, levels, {kTiny * cell, kLevels}), kFineShare, kShortestFine * cell)};
+}
+
+FoundEdges masked(const FoundEdges& found, const EdgeMasks& masks) {
+  return {masked(found.rolling_guidance, masks.rolling_guidance), masked(found.bilateral, masks.bilateral)};
+}
+
+EdgePicture::EdgePicture(const cv::Mat3b& target, const Grid& grid, double reach, const EdgeMasks& masks)
+    : EdgePicture(masked(edges_of(target, grid), masks), target.size(), reach) {}
+
+EdgePicture::EdgePicture(const FoundEdges& counting, cv::Size target, double reach)
+    : edges_(cv::max(cv::Mat(counting.rolling_guidance), cv::Mat(counting.bilateral))) {
+  px_ = {static_cast<double>(target.width) / edges_.cols, static_cast<double>(target.height) / edges_.rows};
   distance_ = edge_distance(edges_);
   // Eq. 6: edges attract what is nearer than r / 2 and push away what is nearer than r. The paper sets r to half the
   // grid's spacing; the edges in half of the grid would then attract nobody. Here it is r / 2 that is as long.

@@ -97,10 +97,7 @@ std::vector<char> marked(const std::vector<Flaw>& flaws, int count) {
 }  // namespace
 
 Result<Segmentation> drawn_regions(const ImageView& picture, cv::Size target) {
-  constexpr double kOff = 0.01;
-  const double stretched =
-      static_cast<double>(picture.width) * target.height / (static_cast<double>(picture.height) * target.width);
-  if (std::abs(stretched - 1) > kOff)
+  if (!has_proportions(picture, target))
     return fail(StatusCode::kInvalidInput, "segmentation",
                 fmt::format("is {} x {}, expected the target's proportions, {} to {}", picture.width, picture.height,
                             target.width, target.height));
@@ -176,16 +173,20 @@ Result<std::vector<Patch>> free_patches(Segmentation segmentation, const Params&
   return patches;
 }
 
-Result<std::vector<Patch>> patches_of(const cv::Mat3b& target, const ImageView& segmentation, const Params& params,
+Result<std::vector<Patch>> patches_of(const cv::Mat3b& target, const Drawn& drawn, const Params& params,
                                       double mm_per_px, int target_index) {
-  if (segmentation.pixels) {
-    auto drawn = drawn_regions(segmentation, target.size());
-    if (!drawn) return tl::unexpected<Status>(std::move(drawn.error()));
-    return free_patches(*std::move(drawn), params, mm_per_px, target_index);
+  if (drawn.segmentation.pixels) {
+    auto regions = drawn_regions(drawn.segmentation, target.size());
+    if (!regions) return tl::unexpected<Status>(std::move(regions.error()));
+    return free_patches(*std::move(regions), params, mm_per_px, target_index);
   }
   if (params.posterize > 0)
     return free_patches(posterized_regions(target, params, mm_per_px), params, mm_per_px, target_index);
-  if (params.grid == GridKind::kMorphed) return morphed_patches(target, params, mm_per_px, {}, target_index);
+  if (params.grid == GridKind::kMorphed) {
+    const auto masks = edge_masks_of(drawn.edge_mask, target.size());
+    if (!masks) return tl::unexpected<Status>(masks.error());
+    return morphed_patches(target, params, mm_per_px, *masks, target_index);
+  }
   return grid_patches(target.size(), params, mm_per_px, target_index);
 }
 

@@ -45,9 +45,15 @@ std::vector<Flaw> flaws_of(const std::vector<Polygon>& outlines, const Params& p
 Result<std::vector<Patch>> free_patches(Segmentation segmentation, const Params& params, double mm_per_px,
                                         int target_index = 0);
 
-// Those of a target at the panels' resolution: of `segmentation` if that has pixels, else of its tones where
-// `posterize` is above 0, else of a grid, regular or morphed.
-Result<std::vector<Patch>> patches_of(const cv::Mat3b& target, const ImageView& segmentation, const Params& params,
+// What people have drawn over a target; without pixels where they have not.
+struct Drawn {
+  ImageView segmentation;  // drawn_regions()
+  ImageView edge_mask{};   // of a morphed grid: edge_masks_of()
+};
+
+// Those of a target at the panels' resolution: of a segmentation if there is one, else of its tones where `posterize`
+// is above 0, else of a grid, regular or morphed.
+Result<std::vector<Patch>> patches_of(const cv::Mat3b& target, const Drawn& drawn, const Params& params,
                                       double mm_per_px, int target_index = 0);
 
 }  // namespace tessera::parquetry

@@ -59,8 +59,13 @@ void add(const std::string& problem, std::string& all) {
 }  // namespace
 
 EdgePicture edge_picture_of(const cv::Mat3b& target, const Params& params, double mm_per_px, const EdgeMasks& masks) {
+  const FoundEdges found = edges_of(target, grid_of(target.size(), params, mm_per_px));
+  return edge_picture_of(masked(found, masks), target.size(), params, mm_per_px);
+}
+
+EdgePicture edge_picture_of(const FoundEdges& counting, cv::Size target, const Params& params, double mm_per_px) {
   const double reach = params.attraction_mm > 0 ? params.attraction_mm : 0.5 * params.patch_mm;
-  return {target, grid_of(target.size(), params, mm_per_px), reach / mm_per_px, masks};
+  return {counting, target, reach / mm_per_px};
 }
 
 Result<MorphingGrid> morphing_grid_of(cv::Size target, const EdgePicture& edges, const Params& params,

@@ -15,6 +15,7 @@ namespace tessera::parquetry {
 // The steps one by one, for pages on which people morph a grid. `target` is at the panels' resolution.
 EdgePicture edge_picture_of(const cv::Mat3b& target, const Params& params, double mm_per_px,
                             const EdgeMasks& masks = {});
+EdgePicture edge_picture_of(const FoundEdges& counting, cv::Size target, const Params& params, double mm_per_px);
 // `edges` outlive the grid. Fails with kInvalidParameter for pins of vertices that the grid has not, or that may not
 // leave their border or corner; with the places of all such.
 Result<MorphingGrid> morphing_grid_of(cv::Size target, const EdgePicture& edges, const Params& params,

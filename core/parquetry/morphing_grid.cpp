@@ -10,7 +10,9 @@ constexpr double kDamping = 9;       // gamma, for m = 1
 constexpr double kTime = 0.06;       // a step; much below gamma over the stiffness of springs and edges together
 constexpr double kPinnedWay = 0.05;  // of a cell's side, that a pinned vertex goes in a step at most
 constexpr double kAtRest = 1e-4;     // of a cell's side
-constexpr double kSpare = 1.1;       // curves take some room beside straight sides
+constexpr int kFirstSteps = 9;       // in which nothing moves yet
+constexpr int kMostSteps = 400;
+constexpr double kSpare = 1.1;  // curves take some room beside straight sides
 constexpr double kSharpest = 0.5735764363510461, kBluntest = -0.8660254037844387;  // cosines of 55, 150 degrees
 
 }  // namespace
@@ -35,9 +37,18 @@ MorphingGrid::MorphingGrid(const Grid& grid, const EdgePicture& edges, double we
 void MorphingGrid::pin(const Pin& pin) {
   const int i = index(pin.column, pin.row);
   holds_[i] = {true, vertices_[i] + allowed(pin.column, pin.row, pin.at - vertices_[i])};
+  wake();
 }
 
-void MorphingGrid::unpin(int column, int row) { holds_[index(column, row)] = {}; }
+void MorphingGrid::unpin(int column, int row) {
+  holds_[index(column, row)] = {};
+  wake();
+}
+
+void MorphingGrid::wake() {
+  steps_ = 0;
+  at_rest_ = false;
+}
 
 std::vector<Pin> MorphingGrid::pins() const {
   std::vector<Pin> pins;
@@ -96,7 +107,7 @@ double MorphingGrid::move(int column, int row, Point way) {
   return 0;
 }
 
-double MorphingGrid::step() {
+void MorphingGrid::step() {
   std::vector<Point> forces;
   for (int row = 0; row <= down_; ++row)
     for (int column = 0; column <= across_; ++column) forces.push_back(allowed(column, row, force(column, row)));
@@ -119,13 +130,12 @@ double MorphingGrid::step() {
       }
       farthest = std::max(farthest, length(vertices_[i] - before));
     }
-  return farthest;
+  ++steps_;
+  at_rest_ = steps_ >= kMostSteps || (steps_ > kFirstSteps && farthest < kAtRest * side_);
 }
 
-void MorphingGrid::settle(int most) {
-  constexpr int kFirst = 8;  // nothing moves yet
-  for (int i = 0; i < most; ++i)
-    if (step() < kAtRest * side_ && i > kFirst) return;
+void MorphingGrid::settle() {
+  while (!at_rest_) step();
 }
 
 }  // namespace tessera::parquetry

@@ -28,10 +28,12 @@ class MorphingGrid {
   std::vector<Pin> pins() const;  // row by row
   bool is_in_place(const Pin& pin) const;
 
-  // A step of time; the farthest that a vertex went.
-  double step();
-  // Steps until nothing moves any more, or `most` of them.
-  void settle(int most = 400);
+  // A step of time.
+  void step();
+  // Nothing moves any more, or there have been as many steps as there may be since a vertex was pinned or unpinned.
+  bool is_at_rest() const { return at_rest_; }
+  // Steps until it is at rest.
+  void settle();
 
  private:
   struct Hold {
@@ -44,12 +46,15 @@ class MorphingGrid {
   bool is_sound(int column, int row) const;          // a cell
   bool are_sound_around(int column, int row) const;  // the cells of a vertex
   double move(int column, int row, Point way);
+  void wake();
 
   int across_, down_;
   const EdgePicture& edges_;
   double side_, weight_, least_radius_;
   std::vector<Point> vertices_, velocities_;  // row by row
   std::vector<Hold> holds_;
+  int steps_ = 0;  // since a vertex was pinned or unpinned
+  bool at_rest_ = false;
 };
 
 }  // namespace tessera::parquetry

@@ -213,6 +213,10 @@ Result<std::vector<Panel>> look_at(const std::vector<Scan>& scans, const Params&
   return panels_of(scans, params, context, [](const Source&, Panel&) { return Result<void>(); });
 }
 
+double mm_per_px_of(const std::vector<Scan>& scans, const Params& params) {
+  return kInchMm / common_dpi(sources_of(scans, params, {}), params);
+}
+
 Point on_sheet(const Panel& panel, Side side, Point px) {
   const Point seen = seen_by_cutter(panel, side, px);
   return panel.registered ? panel.to_machine(seen) : seen;

@@ -28,6 +28,9 @@ Result<std::vector<Panel>> take_in(const std::vector<Scan>& scans, const Params&
 // Panels without wood are no error.
 Result<std::vector<Panel>> look_at(const std::vector<Scan>& scans, const Params& params, const RunContext& context);
 
+// Their resolution, which that of the targets is, too.
+double mm_per_px_of(const std::vector<Scan>& scans, const Params& params);
+
 // A place on the panel (px, front) on the sheet that the cutter gets, mm: mirrored where it cuts from the back, and
 // moved to where the panel lies.
 Point on_sheet(const Panel& panel, Side side, Point px);

@@ -39,6 +39,13 @@ cv::Mat3b at_resolution(const cv::Mat3b& target, const Params& params, double mm
   return larger;
 }
 
+bool has_proportions(const ImageView& picture, cv::Size target) {
+  constexpr double kOff = 0.01;
+  const double stretched =
+      static_cast<double>(picture.width) * target.height / (static_cast<double>(picture.height) * target.width);
+  return std::abs(stretched - 1) <= kOff;
+}
+
 std::vector<int> even_cuts(int length, double wanted, double least) {
   const auto most = std::max(1, static_cast<int>(length / std::max(1.0, std::ceil(least))));
   const int parts = std::clamp(static_cast<int>(std::lround(length / std::max(1.0, wanted))), 1, most);

@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "tessera/image/image_view.h"
 #include "tessera/parquetry/params.h"
 #include "tessera/parquetry/patch.h"
 
@@ -12,6 +13,9 @@ namespace tessera::parquetry {
 // A target of imageSizeMm along its shorter axis, at the panels' resolution: smaller by means of areas, larger by
 // bilinear interpolation. Whole numbers only: the same on every platform.
 cv::Mat3b at_resolution(const cv::Mat3b& target, const Params& params, double mm_per_px);
+
+// Whether a picture drawn over the target has its proportions, within a hundredth.
+bool has_proportions(const ImageView& picture, cv::Size target);
 
 // Where a length of pixels is cut: 0, ..., length, in parts as equal as whole pixels allow. As many as make them
 // nearest to `wanted` pixels, and none narrower than `least`; but at least one part.
@@ -23,6 +27,7 @@ struct Grid {
 
   int across() const { return static_cast<int>(columns.size()) - 1; }
   int down() const { return static_cast<int>(rows.size()) - 1; }
+  bool operator==(const Grid&) const = default;
   cv::Rect cell(int column, int row) const {
     return {columns[column], rows[row], columns[column + 1] - columns[column], rows[row + 1] - rows[row]};
   }

@@ -40,4 +40,13 @@ std::vector<Pin> read_pins(std::string_view text, const std::function<void(std::
   return pins;
 }
 
+std::string write_pins(const std::vector<Pin>& pins) {
+  const auto rounded = [](double mm) { return std::round(100 * mm) / 100 + 0.0; };  // no -0
+  std::string text;
+  for (const Pin& pin : pins)
+    text += fmt::format("{}{},{}:{},{}", text.empty() ? "" : "; ", pin.column, pin.row, rounded(pin.at.x),
+                        rounded(pin.at.y));
+  return text;
+}
+
 }  // namespace tessera::parquetry

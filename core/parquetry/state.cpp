@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tessera/base/text.h"
+#include "tessera/parquetry/frames.h"
 #include "tessera/parquetry/patches.h"
 
 namespace tessera::parquetry {
@@ -28,11 +29,38 @@ std::optional<Patch> find(const std::vector<Patch>& patches, const Patch& wanted
   return std::nullopt;
 }
 
+// All of them small enough for whole numbers, sums of two included.
 bool read_numbers(std::string_view line, std::vector<double>& numbers) {
+  constexpr std::size_t kCost = 13;
+  constexpr double kMost = 1e9, kMostCost = 4e18;
   numbers.clear();
-  for (const std::string_view word : split(line, " "))
-    if (double number = 0; parse_number(word, number) && std::isfinite(number)) numbers.push_back(number);
+  for (const std::string_view word : split(line, " ")) {
+    double number = 0;
+    if (!parse_number(word, number) || !(std::abs(number) <= (numbers.size() == kCost ? kMostCost : kMost)))
+      return false;
+    numbers.push_back(number);
+  }
   return numbers.size() == kNumbers;
+}
+
+bool is_possible(const Laid& laid, const std::vector<Panel>& panels, const Params& params) {
+  const auto& [patch, placement] = laid;
+  if (placement.panel == -1) return true;
+  if (placement.panel < 0 || placement.panel >= static_cast<int>(panels.size())) return false;
+  const std::vector<int> rotations = allowed_rotations(params);
+  if (std::find(rotations.begin(), rotations.end(), placement.rotation) == rotations.end()) return false;
+  const cv::Size scan = panels[static_cast<std::size_t>(placement.panel)].scan.size();
+  const Turn turn(scan, degrees_of(placement.rotation, params));
+  const cv::Rect box(placement.at, patch.box.size());
+  if ((box & cv::Rect({}, turn.size())) != box) return false;
+  const Point middle{patch.box.x + 0.5 * patch.box.width, patch.box.y + 0.5 * patch.box.height};
+  const Placement same = place(turn, placement.rotation, patch.box.size(), placement.at, middle);
+  constexpr double kRounding = 1e-6;
+  const Ring ring = on_panel(placement, patch.outline).outer;
+  return length(placement.from - same.from) <= kRounding && length(placement.to - same.to) <= kRounding &&
+         std::abs(placement.turn_deg - same.turn_deg) <= kRounding &&
+         std::all_of(ring.begin(), ring.end(),
+                     [&](Point p) { return p.x >= 0 && p.y >= 0 && p.x <= scan.width && p.y <= scan.height; });
 }
 
 }  // namespace
@@ -82,6 +110,10 @@ std::optional<std::vector<Laid>> read_state(std::string_view text, std::uint64_t
     laid.push_back({*patch, placement});
   }
   return laid;
+}
+
+bool are_possible(const std::vector<Laid>& laid, const std::vector<Panel>& panels, const Params& params) {
+  return std::all_of(laid.begin(), laid.end(), [&](const Laid& one) { return is_possible(one, panels, params); });
 }
 
 }  // namespace tessera::parquetry

@@ -20,6 +20,10 @@ std::optional<std::vector<Laid>> read_state(std::string_view text, std::uint64_t
                                             const std::vector<Patch>& patches, const Params& params,
                                             double mm_per_px);
 
+// Whether all lie where a run with these panels and parameters may lay them: on a panel, in a rotation that is
+// allowed. A state that a person or a broken disk has changed need not.
+bool are_possible(const std::vector<Laid>& laid, const std::vector<Panel>& panels, const Params& params);
+
 // Of bytes (FNV-1a), going on from `before`.
 inline constexpr std::uint64_t kNoFingerprint = 14695981039346656037U;
 std::uint64_t fingerprint_of(std::string_view bytes, std::uint64_t before = kNoFingerprint);

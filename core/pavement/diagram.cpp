@@ -21,11 +21,8 @@ double angle_across(const DistanceField& field, double x, double y, double step)
 
 class Lloyd {
  public:
-  Lloyd(const Fields& fields, const Params& params, std::uint64_t seed)
-      : fields_(fields),
-        params_(params),
-        noise_(fields.distance, 3 * fields.half_side, 2 * fields.half_side, 2 * fields.half_side * params.noise_scale,
-               seed) {}
+  Lloyd(const Fields& fields, const NoiseDirection& noise, const Params& params)
+      : fields_(fields), noise_(noise), params_(params) {}
 
   // Turns a site, and near an edge moves it to lie in the row of stones along that edge.
   void settle(Site& site) const {
@@ -37,7 +34,7 @@ class Lloyd {
     if (half_width < kSingleRow * h) {
       settle_in_band(site, distance, half_width);
     } else if (distance >= 1.5 * h || !settle_at_edge(site, distance, std::min(h, half_width / 2))) {
-      site.angle = noise_.angle(site.x, site.y);
+      site.angle = noise_.angle(site.x + fields_.origin.x, site.y + fields_.origin.y);
     }
     site.x = std::clamp(snap_position(site.x), 0.0, static_cast<double>(fields_.zones.map.cols));
     site.y = std::clamp(snap_position(site.y), 0.0, static_cast<double>(fields_.zones.map.rows));
@@ -89,20 +86,22 @@ class Lloyd {
   static constexpr double kSingleRow = 1.5;  // of h: half the width of the widest band with one row
 
   const Fields& fields_;
+  const NoiseDirection& noise_;
   const Params& params_;
-  NoiseDirection noise_;
 };
 
-// Sites for the patches that no site reached: each becomes a cell of its own.
-void seed_unreached(Sites& sites, const LabelMap& labels, const Fields& fields, const Params& params) {
+// Sites for the patches that no site reached: each becomes a cell of its own. The patches' first pixels.
+std::vector<cv::Point> seed_unreached(Sites& sites, const LabelMap& labels, const Fields& fields,
+                                      const Params& params) {
   const int first = static_cast<int>(sites.size());
   int cells = first;
   const CellRuns runs = connected_runs(labels, fields.zones.map, cells);
-  std::vector<cv::Point> deepest(cells - first, {-1, -1});
+  std::vector<cv::Point> deepest(cells - first, {-1, -1}), begins(cells - first, {-1, -1});
   for (const int i : runs.changed) {
     const CellRun& run = runs.all[i];
     if (run.label < first) continue;
-    cv::Point& best = deepest[run.label - first];
+    cv::Point &best = deepest[run.label - first], &begin = begins[run.label - first];
+    if (begin.x < 0 || run.y < begin.y || (run.y == begin.y && run.begin < begin.x)) begin = {run.begin, run.y};
     for (int x = run.begin; x < run.end; ++x)
       if (best.x < 0 || fields.distance(run.y, x) > fields.distance(best)) best = {x, run.y};
   }
@@ -114,6 +113,7 @@ void seed_unreached(Sites& sites, const LabelMap& labels, const Fields& fields, 
     site.extent_u = site.extent_v = static_cast<float>(params.cap_scale * fields.half_side);
     sites.push_back(site);
   }
+  return begins;
 }
 
 // A cell's zone, from any of its pixels.
@@ -129,42 +129,49 @@ std::vector<std::uint8_t> zones_of_cells(const LabelMap& labels, const cv::Mat1b
 
 }  // namespace
 
-Result<Diagram> relax_diagram(Sites sites, const Fields& fields, const Params& params, std::uint64_t seed,
-                              Rasterizer& rasterizer, const RunContext& context, const IterationObserver& observer) {
+double reach_of(const Fields& fields) { return 8 * fields.half_side; }
+
+Result<Relaxed> relax_sites(Sites first, const Fields& fields, const NoiseDirection& noise, const Params& params,
+                            Rasterizer& rasterizer, const RunContext& context, const IterationObserver& observer) {
   constexpr int kAhead = 12;  // sites
-  const Lloyd lloyd(fields, params, seed);
+  const Lloyd lloyd(fields, noise, params);
   CellSums sums;
-  Diagram diagram;
-  const double reach = 8 * fields.half_side;
-  if (auto ready = rasterizer.begin(fields.zones.map, Metric::kFrustum, reach); !ready)
+  Relaxed relaxed{std::move(first), {}, {}, 0};
+  auto& [sites, labels, patches, reseeded] = relaxed;
+  if (auto ready = rasterizer.begin(fields.zones.map, Metric::kFrustum, reach_of(fields)); !ready)
     return tl::unexpected(ready.error());
-  cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
+  cv::parallel_for_({0, static_cast<int>(sites.size())}, [&, &sites = sites](const cv::Range& range) {
     for (int i = range.start; i < range.end; ++i) lloyd.settle(sites[i]);
   });
 
   for (int iteration = 0; iteration <= params.iterations; ++iteration) {
     if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
-    if (auto labelled = rasterizer.label(sites, diagram.labels); !labelled) return tl::unexpected(labelled.error());
+    if (auto labelled = rasterizer.label(sites, labels); !labelled) return tl::unexpected(labelled.error());
     if (iteration == 0) {
       const std::size_t reached = sites.size();
-      seed_unreached(sites, diagram.labels, fields, params);
+      patches = seed_unreached(sites, labels, fields, params);
       for (std::size_t i = reached; i < sites.size(); ++i) lloyd.settle(sites[i]);
       if (sites.size() > reached)
-        if (auto again = rasterizer.label(sites, diagram.labels); !again) return tl::unexpected(again.error());
+        if (auto again = rasterizer.label(sites, labels); !again) return tl::unexpected(again.error());
     }
-    if (observer) observer({iteration, params.iterations, fields.scale, sites, diagram.labels, fields.zones.palette});
+    if (observer) observer({iteration, params.iterations, fields.scale, sites, labels, fields.zones.palette});
     context.progress(0.1 + 0.6 * (iteration + 1) / (params.iterations + 1));
     if (iteration == params.iterations) break;
-    const std::vector<CellMoments>& moments = sums.of(diagram.labels, static_cast<int>(sites.size()));
-    cv::parallel_for_({0, static_cast<int>(sites.size())}, [&](const cv::Range& range) {
+    const std::vector<CellMoments>& moments = sums.of(labels, static_cast<int>(sites.size()));
+    cv::parallel_for_({0, static_cast<int>(sites.size())}, [&, &sites = sites](const cv::Range& range) {
       for (int i = range.start; i < range.end; ++i) {
         lloyd.prefetch(sites[std::min(i + kAhead, range.end - 1)]);
         if (moments[i].count > 0) lloyd.recentre(sites[i], moments[i]);
       }
     });
-    diagram.reseeded += reseed_empty(sites, moments);
+    reseeded += reseed_empty_near(sites, moments, reach_of(fields));
   }
+  return relaxed;
+}
 
+Diagram diagram_of(Sites sites, LabelMap labels, const Fields& fields) {
+  Diagram diagram;
+  diagram.labels = std::move(labels);
   diagram.cells = connect_cells(diagram.labels, fields.zones.map, static_cast<int>(sites.size()));
   diagram.graph = open_enclosures(diagram.labels, fields.zones.map, diagram.cells);
   diagram.cell_zone = zones_of_cells(diagram.labels, fields.zones.map, diagram.cells);

@@ -15,80 +15,110 @@ Zones make_zones(const cv::Mat3b& drawing, const Params& params) {
   return params.colors == 2 ? black_and_white(drawing, params.threshold) : colour_zones(drawing, params.colors);
 }
 
-// Pixels that no square of 3 x 3 pixels of their zone covers.
-int thin_pixels(const cv::Mat1b& zones) {
-  const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});
-  cv::Mat1b solid, most;  // a square's centre: the least zone there is the greatest
-  cv::erode(zones, solid, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
-  cv::dilate(zones, most, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
-  cv::compare(solid, most, solid, cv::CMP_EQ);
-  cv::dilate(solid, most, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
-  return static_cast<int>(zones.total()) - cv::countNonZero(most);
-}
-
 // Lines one or two pixels wide are all staircase; twice the pixels give them a width and a direction.
 int choose_supersample(const Zones& zones, const Params& params) {
   if (params.supersample > 0) return params.supersample;
-  constexpr double kThinShare = 0.002;
-  const int thin = thin_pixels(zones.map);
-  return thin > kThinShare * static_cast<double>(zones.map.total()) ? 2 : 1;
+  return supersample_for(thin_pixels(zones.map, {0, zones.map.rows}), static_cast<double>(zones.map.total()));
 }
 
 // The drawing with `scale` pixels a pixel, and its zones. Smoothing would widen or narrow hairlines, so black keeps
 // its share of the picture instead of the threshold its level.
 Zones supersampled_zones(const cv::Mat3b& drawing, const Zones& zones, int scale, const Params& params) {
-  cv::Mat3b scaled;
-  cv::GaussianBlur(drawing, scaled, {5, 5}, 0.8, 0.8, cv::BORDER_REPLICATE);
-  cv::resize(scaled, scaled, {}, scale, scale, cv::INTER_CUBIC);
+  const cv::Mat3b scaled = supersampled(drawing, scale);
   Params same_share = params;
   if (params.colors == 2) {
     const double black = 1 - cv::sum(zones.map)[0] / static_cast<double>(zones.map.total());
-    same_share.threshold = threshold_for_share(scaled, black);
+    GreyHistogram histogram{};
+    add_levels(grey_of(scaled), histogram);
+    same_share.threshold = threshold_for_share(histogram, black);
   }
   return make_zones(scaled, same_share);
 }
 
 }  // namespace
 
-NoiseDirection::NoiseDirection(const DistanceField& distance, double far, double spacing, double wavelength,
-                               std::uint64_t seed)
-    : field_(distance.size(), spacing) {
+std::int64_t thin_pixels(const cv::Mat1b& zones, cv::Range rows) {
+  const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});
+  cv::Mat1b solid, most;  // a square's centre: the least zone there is the greatest
+  cv::erode(zones, solid, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
+  cv::dilate(zones, most, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
+  cv::compare(solid, most, solid, cv::CMP_EQ);
+  cv::dilate(solid, most, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
+  return std::int64_t{rows.size()} * zones.cols - cv::countNonZero(most.rowRange(rows));
+}
+
+int supersample_for(std::int64_t thin, double pixels) {
+  constexpr double kThinShare = 0.002;
+  constexpr double kMostPixels = 1e8;  // of a drawing that may be made larger unasked
+  return pixels <= kMostPixels && static_cast<double>(thin) > kThinShare * pixels ? 2 : 1;
+}
+
+cv::Mat3b supersampled(const cv::Mat3b& drawing, int scale) {
+  cv::Mat3b scaled;
+  cv::GaussianBlur(drawing, scaled, {5, 5}, 0.8, 0.8, cv::BORDER_REPLICATE);
+  cv::resize(scaled, scaled, {}, scale, scale, cv::INTER_CUBIC);
+  return scaled;
+}
+
+NoiseDirection::NoiseDirection(cv::Size picture, double half_side, double noise_scale, std::uint64_t seed)
+    : picture_(picture), half_side_(half_side), field_(picture, 2 * half_side), far_(field_.nodes().size(), 0) {
   Rng rng(seed, RngPurpose::kNoise);
   const float offset[] = {static_cast<float>(rng.uniform(0, 200)), static_cast<float>(rng.uniform(0, 200)),
                           static_cast<float>(rng.uniform(0, 200)), static_cast<float>(rng.uniform(0, 200))};
-  const float step = static_cast<float>(spacing / wavelength);
+  const double wavelength = 2 * half_side * noise_scale;
+  const float step = static_cast<float>(field_.step() / wavelength);
   cv::Mat2f& nodes = field_.nodes();
   for (int j = 0; j < nodes.rows; ++j)
     for (int i = 0; i < nodes.cols; ++i)
       nodes(j, i) = {glm::perlin(glm::vec2(offset[0] + i * step, offset[1] + j * step)),
                      glm::perlin(glm::vec2(offset[2] + i * step, offset[3] + j * step))};
-  balance(distance, far);
 }
 
-void NoiseDirection::balance(const DistanceField& distance, double far) {
+void NoiseDirection::look_at(const DistanceField& distance, int first_row, cv::Range rows) {
+  const double spacing = field_.step(), far = 3 * half_side_;
+  for (int j = static_cast<int>(rows.start / spacing); j < far_.rows; ++j) {
+    const int y = static_cast<int>(j * spacing);
+    if (y < rows.start) continue;
+    if (y >= rows.end) break;
+    for (int i = 0; i < far_.cols; ++i) {
+      const int x = static_cast<int>(i * spacing);
+      far_(j, i) = x < distance.cols && distance(y - first_row, x) >= far;
+    }
+  }
+}
+
+void NoiseDirection::balance() {
   constexpr int kRounds = 12;
   constexpr double kGain = 0.3;  // about the noise's own size
   cv::Mat2f& nodes = field_.nodes();
   const double spacing = field_.step();
   for (int round = 0; round < kRounds; ++round) {
     cv::Vec2d sum(0, 0);
-    int count = 0;
+    std::int64_t count = 0;
     for (int j = 0; j < nodes.rows; ++j) {
       for (int i = 0; i < nodes.cols; ++i) {
+        if (!far_(j, i)) continue;
         const int x = static_cast<int>(i * spacing), y = static_cast<int>(j * spacing);
-        if (x >= distance.cols || y >= distance.rows || distance(y, x) < far) continue;
         ++count;
         // Stones at the picture's border line up with it whatever the noise says.
-        if (i == 0 || j == 0 || x + spacing >= distance.cols || y + spacing >= distance.rows) sum += cv::Vec2d(1, 0);
+        if (i == 0 || j == 0 || x + spacing >= picture_.width || y + spacing >= picture_.height)
+          sum += cv::Vec2d(1, 0);
         const cv::Vec2d v = nodes(j, i);
         const double size = std::sqrt(v.dot(v));
         if (size > 0) sum += v * (1 / size);
       }
     }
     if (count == 0) return;
-    const cv::Vec2d off = sum * (kGain / count);
+    const cv::Vec2d off = sum * (kGain / static_cast<double>(count));
     for (cv::Vec2f& v : nodes) v -= cv::Vec2f(static_cast<float>(off[0]), static_cast<float>(off[1]));
   }
+}
+
+NoiseDirection noise_of(const Fields& fields, const Params& params, std::uint64_t seed) {
+  NoiseDirection noise(fields.distance.size(), fields.half_side, params.noise_scale, seed);
+  noise.look_at(fields.distance, 0, {0, fields.distance.rows});
+  noise.balance();
+  return noise;
 }
 
 int Fields::zone_at(double x, double y) const {
@@ -134,16 +164,21 @@ double half_length(double half_width, double half_side) {
   return std::clamp(1.5 * half_width, 0.3 * half_side, half_side);
 }
 
-Fields make_fields(const ImageView& drawing, const Params& params) {
+Fields fields_of(Zones zones, int scale, const Params& params) {
   Fields fields;
-  fields.zones = make_zones(drawing.mat(), params);
-  const int scale = choose_supersample(fields.zones, params);
-  if (scale > 1) fields.zones = supersampled_zones(drawing.mat(), fields.zones, scale, params);
+  fields.zones = std::move(zones);
   fields.scale = scale;
   fields.half_side = params.half_side * scale;
   fields.distance =
       params.distance == Distance::kExact ? exact_distance(fields.zones.map) : chamfer_distance(fields.zones.map);
   return fields;
+}
+
+Fields make_fields(const ImageView& drawing, const Params& params) {
+  Zones zones = make_zones(drawing.mat(), params);
+  const int scale = choose_supersample(zones, params);
+  if (scale > 1) zones = supersampled_zones(drawing.mat(), zones, scale, params);
+  return fields_of(std::move(zones), scale, params);
 }
 
 }  // namespace tessera::pavement

@@ -22,20 +22,26 @@ namespace tessera::pavement {
 // a right angle, as a square does. A constant taken off the noise balances what preference its few waves have left.
 class NoiseDirection {
  public:
-  // Balanced over the pixels at least `far` from an edge.
-  NoiseDirection(const DistanceField& distance, double far, double spacing, double wavelength, std::uint64_t seed);
+  // Over a picture of this size; all lengths in pixels of the diagram. look_at() all of its rows, then balance().
+  NoiseDirection(cv::Size picture, double half_side, double noise_scale, std::uint64_t seed);
+  // Takes note of where `rows` are far from edges. `distance` begins at the picture's row `first_row`.
+  void look_at(const DistanceField& distance, int first_row, cv::Range rows);
+  // Over the places far from edges.
+  void balance();
   double angle(double x, double y) const { return field_.angle(x, y); }  // radians
 
  private:
-  void balance(const DistanceField& distance, double far);
-
+  cv::Size picture_;
+  double half_side_;
   DirectionField field_;
+  cv::Mat1b far_;  // one a node
 };
 
 // All in pixels of the diagram, which has `scale` pixels a source pixel.
 struct Fields {
   double scale = 1;
   double half_side = 4;  // h
+  cv::Point origin;      // of a part of a drawing: where in the drawing's diagram it begins
   Zones zones;
   DistanceField distance;
 
@@ -52,5 +58,14 @@ struct Fields {
 double half_length(double half_width, double half_side);
 
 Fields make_fields(const ImageView& drawing, const Params& params);
+NoiseDirection noise_of(const Fields& fields, const Params& params, std::uint64_t seed);
+
+// The steps of make_fields(), for a drawing that comes in parts.
+Fields fields_of(Zones zones, int scale, const Params& params);
+// Pixels of these rows that no square of 3 x 3 pixels of their zone covers. They depend on those within 2.
+std::int64_t thin_pixels(const cv::Mat1b& zones, cv::Range rows);
+int supersample_for(std::int64_t thin, double pixels);
+// With `scale` pixels a pixel, smoothed; depends on what is within 4 px.
+cv::Mat3b supersampled(const cv::Mat3b& drawing, int scale);
 
 }  // namespace tessera::pavement

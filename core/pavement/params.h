@@ -8,6 +8,8 @@ namespace tessera::pavement {
 enum class Method { kFlow, kPaper };
 enum class Distance { kExact, kChamfer };
 
+inline constexpr int kLeastTile = 64;  // in half sides: tiles are wider than what lies around them
+
 struct Params {
   double half_side = 4;
   int sites = 0;
@@ -22,6 +24,7 @@ struct Params {
   double noise_scale = 24;
   int supersample = 0;
   double width_mm = 0;
+  int tiles = 0;
   Distance distance = Distance::kExact;
   Method method = Method::kFlow;
 };
@@ -59,6 +62,9 @@ void visit(Visitor& v, Params& p) {
   v.number(p.width_mm, {.key = "widthMm", .min = 0, .max = 1000000, .ui_min = 0, .ui_max = 10000, .unit = "mm",
                         .help = "Width of the pavement; 0 leaves SVG in pixels and takes 1 px as 1 mm in DXF",
                         .advanced = true});
+  v.integer(p.tiles, {.key = "tiles", .min = 0, .max = 1048576, .ui_min = 0, .ui_max = 8192, .unit = "px",
+                      .help = "Side of the tiles that a drawing too large for memory is paved in; 0: all at once",
+                      .advanced = true, .bare = "2048"});
   v.choice(p.distance, {.key = "distance", .help = "Distance to the drawing's edges", .advanced = true},
            {{Distance::kExact, "exact", "exact Euclidean distance"},
             {Distance::kChamfer, "chamfer", "quasi-Euclidean 3x3 chamfer, as the paper"}});
@@ -72,6 +78,10 @@ void visit(Visitor& v, Params& p) {
 template <class Report>
 void check(const Params& p, Report&& report) {
   if (p.stretch_min > p.stretch_max) report("stretchMin", "is larger than stretchMax; expected at most stretchMax");
+  if (p.tiles > 0 && p.tiles < kLeastTile * p.half_side)
+    report("tiles", "is less than 64 times halfSide; expected at least that, or 0");
+  if (p.tiles > 0 && p.method == Method::kPaper)
+    report("tiles", "cannot be with the method paper, whose vertices no tile can settle alone; expected 0");
 }
 
 }  // namespace tessera::pavement

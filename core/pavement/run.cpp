@@ -1,5 +1,8 @@
 #include "tessera/pavement/run.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core/utility.hpp>
 
@@ -8,12 +11,29 @@
 #include "tessera/pavement/paper_stones.h"
 #include "tessera/pavement/place_vertices.h"
 #include "tessera/pavement/sites.h"
+#include "tessera/pavement/stones.h"
 #include "tessera/tessellation/match_corners.h"
 #include "tessera/tessellation/relax.h"
 #include "tessera/tessellation/separate.h"
 
 namespace tessera::pavement {
 namespace {
+
+// Diagrams that take all the memory there is are slips.
+constexpr double kMostPixels = 4e8, kMostSites = 1 << 22;
+
+Result<void> check_size(const ImageView& drawing, const Params& params) {
+  const double pixels = static_cast<double>(drawing.width) * drawing.height, scale = std::max(1, params.supersample);
+  if (pixels * scale * scale > kMostPixels)
+    return fail(StatusCode::kInvalidParameter, "supersample",
+                fmt::format("makes a diagram of {:.0f} Mpx, expected at most {:.0f}", pixels * scale * scale / 1e6,
+                            kMostPixels / 1e6));
+  const double sites = pixels / (4 * params.half_side * params.half_side);  // Eq. 1
+  if (std::floor(sites) > kMostSites)
+    return fail(StatusCode::kInvalidParameter, "halfSide",
+                fmt::format("makes about {:.0f} stones, expected at most {:.0f}", sites, kMostSites));
+  return {};
+}
 
 // Cells to polygons (III.C): rings in pixels of the diagram, one a cell.
 std::vector<Ring> extract_stones(const Diagram& diagram, const Fields& fields, const Params& params,
@@ -30,28 +50,6 @@ std::vector<Ring> extract_stones(const Diagram& diagram, const Fields& fields, c
   return separate_pieces(tessellation, flat, params.wide_angle);
 }
 
-// Source pixels, grout, colour; stones without area are left out.
-void lay_stones(std::vector<Ring> rings, const std::vector<int>& vertices_before, const Diagram& diagram,
-                const Fields& fields, const Params& params, Output& output) {
-  constexpr double kLeastArea = 0.01;  // px^2
-  cv::parallel_for_({0, static_cast<int>(rings.size())}, [&](const cv::Range& range) {
-    for (int cell = range.start; cell < range.end; ++cell) {
-      for (Point& p : rings[cell]) p = (1 / fields.scale) * p;
-      shrink(rings[cell], params.grout, params.half_side);
-    }
-  });
-  for (std::size_t cell = 0; cell < rings.size(); ++cell) {
-    Ring& ring = rings[cell];
-    const double size = std::fabs(signed_area(ring));
-    if (ring.size() < 3 || size < kLeastArea) continue;
-    output.vertices_before.push_back(vertices_before[cell]);
-    output.vertices_after.push_back(static_cast<int>(ring.size()));
-    output.areas.push_back(size);
-    const int id = static_cast<int>(output.sheet.pieces.size()) + 1;
-    output.sheet.pieces.push_back({id, {std::move(ring), {}}, fields.zones.palette[diagram.cell_zone[cell]]});
-  }
-}
-
 }  // namespace
 
 Result<Output> run(const ImageView& drawing, const Params& requested, std::uint64_t seed, Rasterizer& rasterizer,
@@ -61,6 +59,7 @@ Result<Output> run(const ImageView& drawing, const Params& requested, std::uint6
 
   Params params = requested;
   params.half_side = half_side_of({drawing.width, drawing.height}, requested);
+  if (auto good = check_size(drawing, params); !good) return tl::unexpected(good.error());
 
   context.stage("fields");
   const Fields fields = make_fields(drawing, params);
@@ -68,24 +67,19 @@ Result<Output> run(const ImageView& drawing, const Params& requested, std::uint6
 
   context.stage("diagram");
   Output output;
-  output.sites = static_cast<int>(
-      std::lround(drawing.width * (drawing.height / (4 * params.half_side * params.half_side))));  // Eq. 1
-  Result<Diagram> diagram =
-      relax_diagram(first_sites(fields, params, seed), fields, params, seed, rasterizer, context, observer);
-  if (!diagram) return tl::unexpected(diagram.error());
-  output.reseeded = diagram->reseeded;
+  output.sites = sites_for({drawing.width, drawing.height}, params.half_side);
+  Result<Relaxed> relaxed = relax_sites(first_sites(fields, params, seed), fields, noise_of(fields, params, seed),
+                                        params, rasterizer, context, observer);
+  if (!relaxed) return tl::unexpected(relaxed.error());
+  output.reseeded = relaxed->reseeded;
+  const Diagram diagram = diagram_of(std::move(relaxed->sites), std::move(relaxed->labels), fields);
 
   context.stage("stones");
   std::vector<int> vertices_before;
-  std::vector<Ring> rings = extract_stones(*diagram, fields, params, vertices_before);
+  std::vector<Ring> rings = extract_stones(diagram, fields, params, vertices_before);
   if (auto go_on = context.check(); !go_on) return tl::unexpected(go_on.error());
-  output.sheet.kind = "stone";
-  output.sheet.layer = "stones";
-  output.sheet.width = drawing.width;
-  output.sheet.height = drawing.height;
-  output.sheet.width_mm = params.width_mm;
-  output.sheet.grout = {150, 146, 138};
-  lay_stones(std::move(rings), vertices_before, *diagram, fields, params, output);
+  output.sheet = empty_sheet({drawing.width, drawing.height}, params);
+  lay_stones(std::move(rings), vertices_before, diagram, fields, params, output);
   context.progress(1);
   return output;
 }

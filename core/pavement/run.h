@@ -13,7 +13,8 @@
 namespace tessera::pavement {
 
 struct Output {
-  PieceSheet sheet;                  // in source pixels; ids from 1
+  PieceSheet sheet;                  // in source pixels
+  int first_id = 1;                  // of its pieces
   int sites = 0;                     // n of Eq. 1, before hairlines were given more
   int reseeded = 0;                  // empty cells that were seeded again
   std::vector<int> vertices_before;  // Fig. 9: vertices a cell right after tracing, in sheet order

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tessera/base/portable_math.h"
-#include "tessera/base/rng.h"
 
 namespace tessera::pavement {
 namespace {
@@ -26,13 +25,6 @@ std::vector<cv::Point> shuffled_pixels(int side, Rng& rng) {
   return pixels;
 }
 
-// Collects pixels of one zone until they hold a stone; any of them, weighted by density, may be its site.
-struct Stratum {
-  double filled = 0;
-  double next = 0;  // fill at which the site is placed
-  bool placed = false;
-};
-
 }  // namespace
 
 double half_side_of(cv::Size source, const Params& params) {
@@ -40,54 +32,71 @@ double half_side_of(cv::Size source, const Params& params) {
   return 0.5 * std::sqrt(source.width * (static_cast<double>(source.height) / params.sites));
 }
 
-Sites first_sites(const Fields& fields, const Params& params, std::uint64_t seed) {
-  Rng positions(seed, RngPurpose::kSites), shapes(seed, RngPurpose::kShapes);
-  const double h = fields.half_side;
-  const cv::Mat1b& zones = fields.zones.map;
-  const double plain = density(h, h);
-  std::array<Stratum, 256> strata;
-  for (Stratum& s : strata) s.next = positions.uniform();
-  Sites sites;
+int sites_for(cv::Size source, double half_side) {
+  return static_cast<int>(std::lround(source.width * (source.height / (4 * half_side * half_side))));
+}
 
-  const auto visit = [&](int x, int y) {
-    Stratum& s = strata[zones(y, x)];
-    const bool near_edge = fields.distance(y, x) < h;
-    s.filled += near_edge ? density(fields.half_width_at(x + 0.5, y + 0.5, h), h) : plain;
-    // A thin line's pixels may hold more than one stone each.
-    while (s.filled >= 1 || (!s.placed && s.filled > s.next)) {
-      if (!s.placed && s.filled > s.next) {
-        Site site;
-        site.x = snap_position(x + positions.uniform());
-        site.y = snap_position(y + positions.uniform());
-        site.zone = zones(y, x);
-        const double stretch = shapes.uniform(params.stretch_min, params.stretch_max);  // s_x
-        site.extent_u = static_cast<float>(params.cap_scale * h * stretch);
-        site.extent_v = static_cast<float>(params.cap_scale * h);
-        sites.push_back(site);
-        s.placed = true;
-      }
-      if (s.filled >= 1) {
-        s.filled -= 1;
-        s.next = positions.uniform();
-        s.placed = false;
-      }
-    }
-  };
-  // Blocks of some stones' size, so that no part of the picture gets too few; within a block at random, so that no
-  // rows of blocks show. What is left of a block's last stone goes to the next in a serpentine.
-  const int block = std::max(1, static_cast<int>(std::lround(kBlockSide * 2 * h)));
-  const std::vector<cv::Point> order = shuffled_pixels(block, positions);
-  for (int by = 0, row = 0; by < zones.rows; by += block, ++row) {
-    const int columns = (zones.cols + block - 1) / block;
+Sower::Sower(cv::Size picture, double half_side, const Params& params, std::uint64_t seed)
+    : picture_(picture),
+      half_side_(half_side),
+      params_(params),
+      positions_(seed, RngPurpose::kSites),
+      shapes_(seed, RngPurpose::kShapes),
+      plain_(density(half_side, half_side)),
+      // Blocks of some stones' size, so that no part of the picture gets too few; within a block at random, so that
+      // no rows of blocks show. What is left of a block's last stone goes to the next in a serpentine.
+      block_(std::max(1, static_cast<int>(std::lround(kBlockSide * 2 * half_side)))) {
+  for (Stratum& s : strata_) s.next = positions_.uniform();
+  order_ = shuffled_pixels(block_, positions_);
+}
+
+void Sower::sow(const Fields& fields, int end, Sites& sites) {
+  const int columns = (picture_.width + block_ - 1) / block_;
+  for (; next_row_ < std::min(end, picture_.height); next_row_ += block_) {
+    const bool to_the_right = next_row_ / block_ % 2 == 0;
     for (int k = 0; k < columns; ++k) {
-      const int bx = (row % 2 == 0 ? k : columns - 1 - k) * block;
-      const std::size_t start = positions.bits() % order.size();
-      for (std::size_t i = 0; i < order.size(); ++i) {
-        const cv::Point p = order[(start + i) % order.size()] + cv::Point(bx, by);
-        if (p.x < zones.cols && p.y < zones.rows) visit(p.x, p.y);
+      const int bx = (to_the_right ? k : columns - 1 - k) * block_;
+      const std::size_t start = positions_.bits() % order_.size();
+      for (std::size_t i = 0; i < order_.size(); ++i) {
+        const cv::Point p = order_[(start + i) % order_.size()] + cv::Point(bx, next_row_);
+        if (p.x < picture_.width && p.y < picture_.height) visit(fields, p, sites);
       }
     }
   }
+}
+
+void Sower::visit(const Fields& fields, cv::Point p, Sites& sites) {
+  const double h = half_side_;
+  const int y = p.y - fields.origin.y;
+  const std::uint8_t zone = fields.zones.map(y, p.x);
+  Stratum& s = strata_[zone];
+  const bool near_edge = fields.distance(y, p.x) < h;
+  s.filled += near_edge ? density(fields.half_width_at(p.x + 0.5, y + 0.5, h), h) : plain_;
+  // A thin line's pixels may hold more than one stone each.
+  while (s.filled >= 1 || (!s.placed && s.filled > s.next)) {
+    if (!s.placed && s.filled > s.next) {
+      Site site;
+      site.x = snap_position(p.x + positions_.uniform());
+      site.y = snap_position(p.y + positions_.uniform());
+      site.zone = zone;
+      const double stretch = shapes_.uniform(params_.stretch_min, params_.stretch_max);  // s_x
+      site.extent_u = static_cast<float>(params_.cap_scale * h * stretch);
+      site.extent_v = static_cast<float>(params_.cap_scale * h);
+      sites.push_back(site);
+      s.placed = true;
+    }
+    if (s.filled >= 1) {
+      s.filled -= 1;
+      s.next = positions_.uniform();
+      s.placed = false;
+    }
+  }
+}
+
+Sites first_sites(const Fields& fields, const Params& params, std::uint64_t seed) {
+  Sites sites;
+  Sower sower(fields.zones.map.size(), fields.half_side, params, seed);
+  sower.sow(fields, fields.zones.map.rows, sites);
   return sites;
 }
 

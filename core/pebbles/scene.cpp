@@ -74,7 +74,7 @@ glm::dvec3 heart_of(const Mesh& mesh) { return {0, 0.5 * (mesh.positions.front()
 
 // Vertices of the upper half moved as the photo's shading says, less and less towards the rim. By as much as stands
 // out along the normal, but towards or away from the heart: nothing folds over.
-void raise(Mesh& mesh, const Shading& shading, Point centre, Bumps bumps) {
+void raise(Mesh& mesh, const Shading& shading, Point centre, const Bumps& bumps) {
   const glm::dvec3 heart = heart_of(mesh);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);

@@ -72,6 +72,11 @@ class Relaxer {
     });
   }
 
+  // What is undone later goes back there, too.
+  void pin(const std::vector<Pin>& pins) {
+    for (const Pin& pin : pins) nodes_[pin.vertex].p = nodes_[pin.vertex].begin = pin.place;
+  }
+
   // Moves the tessellation's vertices to where the rounds have led.
   void apply() {
     for (std::size_t v = 0; v < nodes_.size(); ++v) map_.vertices[v] = nodes_[v].p;
@@ -258,7 +263,8 @@ class Relaxer {
   }
 
   std::size_t band_of(int vertex) const {
-    return static_cast<std::size_t>(std::max(0.0, std::ceil(nodes_[vertex].begin.y / kBand) - 1));
+    return static_cast<std::size_t>(
+        std::max(0.0, std::ceil((nodes_[vertex].begin.y + params_.first_row) / kBand) - 1));
   }
 
   void straighten(const Corner& corner) {
@@ -294,7 +300,8 @@ class Relaxer {
 
 }  // namespace
 
-void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params) {
+void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params,
+           const std::vector<Pin>& pins) {
   Relaxer relaxer(t, flat, params);
   for (int i = 0; i < params.rounds; ++i) {
     if (!t.frame.empty() && i < params.rounds * 5 / 6)
@@ -303,6 +310,7 @@ void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const Rel
     if (i == params.rounds / 2) relaxer.back_to_frontier(back);
   }
   relaxer.back_to_frontier(back);
+  relaxer.pin(pins);
   relaxer.apply();
   relaxer.untangle(flat);
 }

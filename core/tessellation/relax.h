@@ -22,11 +22,19 @@ struct RelaxParams {
   // How far a flat vertex may be off its piece's side in the end, in h, to count as flat: away from the piece, which
   // leaves a gap, and into it, which makes its neighbours overlap it.
   double gap = 0.15, overlap = 0.15;
+  double first_row = 0;        // of a part of a picture: where in the picture it begins
   bool frontiers_too = false;  // whether that holds for vertices on frontiers, not among pieces of one zone alone
+};
+
+// A vertex whose place is known already: it goes there after the rounds, and does not leave it.
+struct Pin {
+  int vertex;
+  Point place;
 };
 
 // A piece that came out of it tangled goes back to where it began, and its vertices are flat no more (`flat` is
 // changed).
-void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params = {});
+void relax(Tessellation& t, std::vector<char>& flat, const Back& back, const RelaxParams& params = {},
+           const std::vector<Pin>& pins = {});
 
 }  // namespace tessera

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <opencv2/core/utility.hpp>
+#include <utility>
 
 #include "tessera/base/portable_math.h"
 
@@ -93,6 +94,18 @@ const std::vector<CellMoments>& CellSums::of(const LabelMap& labels, int cells) 
   return partial_[0];
 }
 
+namespace {
+
+void move_beside(Site& site, const Site& large, const CellMoments& cell) {
+  const SinCos turn = sin_cos(large.angle);
+  const double away = 0.3 * std::sqrt(static_cast<double>(cell.count));
+  site.x = snap_position(cell.centroid_x() + away * turn.cos);
+  site.y = snap_position(cell.centroid_y() + away * turn.sin);
+  site.angle = large.angle;
+}
+
+}  // namespace
+
 int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
   std::map<int, std::vector<int>> largest;  // by zone, filled where needed: a heap
   const auto smaller = [&](int a, int b) {
@@ -111,11 +124,50 @@ int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments) {
     std::pop_heap(candidates.begin(), candidates.end(), smaller);
     const int k = candidates.back();
     candidates.pop_back();
-    const SinCos turn = sin_cos(sites[k].angle);
-    const double away = 0.3 * std::sqrt(static_cast<double>(moments[k].count));
-    sites[i].x = snap_position(moments[k].centroid_x() + away * turn.cos);
-    sites[i].y = snap_position(moments[k].centroid_y() + away * turn.sin);
-    sites[i].angle = sites[k].angle;
+    move_beside(sites[i], sites[k], moments[k]);
+    ++reseeded;
+  }
+  return reseeded;
+}
+
+int reseed_empty_near(Sites& sites, const std::vector<CellMoments>& moments, double reach) {
+  using Bin = std::pair<int, int>;
+  const auto bin_of = [&](const Site& site) {
+    return Bin(static_cast<int>(std::floor(site.y / reach)), static_cast<int>(std::floor(site.x / reach)));
+  };
+  std::vector<std::size_t> empty;
+  std::map<Bin, std::vector<std::size_t>> bins;  // those around empty cells
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (moments[i].count > 0) continue;
+    empty.push_back(i);
+    const auto [row, column] = bin_of(sites[i]);
+    for (int y = row - 1; y <= row + 1; ++y)
+      for (int x = column - 1; x <= column + 1; ++x) bins[{y, x}];
+  }
+  if (empty.empty()) return 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (const auto bin = bins.find(bin_of(sites[i])); bin != bins.end() && moments[i].count > 1)
+      bin->second.push_back(i);
+  std::vector<char> taken(sites.size(), 0);
+  int reseeded = 0;
+  for (const std::size_t i : empty) {
+    Site& site = sites[i];
+    const auto [row, column] = bin_of(site);
+    std::size_t best = sites.size();
+    for (int y = row - 1; y <= row + 1; ++y) {
+      for (int x = column - 1; x <= column + 1; ++x) {
+        for (const std::size_t k : bins[{y, x}]) {
+          const double dx = sites[k].x - site.x, dy = sites[k].y - site.y;
+          if (taken[k] || sites[k].zone != site.zone || dx * dx + dy * dy > reach * reach) continue;
+          const bool larger = best == sites.size() || moments[k].count > moments[best].count ||
+                              (moments[k].count == moments[best].count && k < best);
+          if (larger) best = k;
+        }
+      }
+    }
+    if (best == sites.size()) continue;
+    taken[best] = 1;
+    move_beside(site, sites[best], moments[best]);
     ++reseeded;
   }
   return reseeded;

@@ -49,4 +49,8 @@ std::vector<CellMoments> cell_moments(const LabelMap& labels, int cells);
 // Gives each empty cell's site a place beside that of one of the largest cells of its zone. Returns how many moved.
 int reseed_empty(Sites& sites, const std::vector<CellMoments>& moments);
 
+// The same among the cells whose sites lie within `reach` px, so that no part of a picture depends on a far one; a
+// site that has none stays where it is.
+int reseed_empty_near(Sites& sites, const std::vector<CellMoments>& moments, double reach);
+
 }  // namespace tessera

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -114,7 +115,8 @@ int run_errand(const Task& task, const Batch& batch) {
   const auto errand = read_errand(task.text, batch.settings);
   if (!errand) return print_problems(errand.error());
   prepare(errand->settings);
-  return run_and_write(errand->job, errand->settings, fs::path(batch.path).parent_path().string());
+  return run_and_write(errand->job, errand->settings, fs::path(batch.path).parent_path().string(),
+                       ParametersFrom::kFile);
 }
 
 // The paths that a line names, as far as it can be read.
@@ -192,7 +194,7 @@ class Supervisor {
  public:
   Supervisor(const Batch& batch, Results& results) : batch_(batch), results_(results) {}
 
-  // False where the results cannot be written.
+  // False where the results cannot be written; errno says why.
   bool run(Tasks& tasks, int count) {
     ProgressBar bar(batch_.settings.quiet ? ProgressMode::kNever : batch_.settings.progress);
     bar.stage("jobs");
@@ -290,10 +292,13 @@ int run_batch(const Batch& batch) {
   const std::string path = results_path(batch);
   Results results(path);
   if (batch.resume) results.read();
-  const Problems unwritable{{StatusCode::kUnwritable, path, "cannot be written"}};
-  if (!results.open(batch.resume)) return print_problems(unwritable);
+  const auto unwritable = [&] {
+    const std::string reason = std::generic_category().message(errno);
+    return print_problems({{StatusCode::kUnwritable, path, "cannot be written: " + reason}});
+  };
+  if (!results.open(batch.resume)) return unwritable();
   Supervisor supervisor(batch, results);
-  if (!supervisor.run(tasks, count)) return print_problems(unwritable);
+  if (!supervisor.run(tasks, count)) return unwritable();
   if (stop_reason() != StopReason::kNone) {
     Status stopped = stop_status();
     stopped.message += "; " + supervisor.summary() + ", --resume goes on";

@@ -297,17 +297,31 @@ class CompletionCommand {
   std::string shell_;
 };
 
-// "--ground" is "--ground=true" where neither true nor false follows.
+bool is_number(std::string_view text) {
+  if (!text.empty() && text.front() == '-') text.remove_prefix(1);
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// "--ground" is "--ground=true" where neither true nor false follows; `pave --tiles` is "--tiles=2048" where no
+// number does.
 std::vector<std::string> with_flag_values(int argc, const char* const* argv) {
   std::set<std::string> flags;
-  for (const Technique& technique : techniques())
-    for (const Parameter& parameter : parameters_of(technique.defaults))
+  std::map<std::string, std::string> bare;  // of the command's
+  for (const Technique& technique : techniques()) {
+    for (const Parameter& parameter : parameters_of(technique.defaults)) {
       if (parameter.kind == ParameterKind::kFlag) flags.insert(flag_of(parameter));
+      if (argc > 1 && technique.command == argv[1] && *parameter.info.bare)
+        bare[flag_of(parameter)] = parameter.info.bare;
+    }
+  }
   std::vector<std::string> arguments;
   for (int i = 1; i < argc; ++i) {
     const std::string_view next = i + 1 < argc ? argv[i + 1] : "";
-    const bool is_bare = flags.count(argv[i]) != 0 && next != "true" && next != "false";
-    arguments.push_back(is_bare ? std::string(argv[i]) + "=true" : argv[i]);
+    std::string argument = argv[i];
+    if (flags.count(argument) != 0 && next != "true" && next != "false") argument += "=true";
+    if (const auto value = bare.find(argument); value != bare.end() && !is_number(next))
+      argument += "=" + value->second;
+    arguments.push_back(std::move(argument));
   }
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   return arguments;

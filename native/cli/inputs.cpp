@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "tessera/io/file.h"
+#include "tessera/io/png_rows.h"
 #include "tessera/io/sha256.h"
 #include "tessera/job/shapes.h"
 #include "tessera/job/techniques.h"
@@ -18,6 +22,19 @@ std::string located(const std::string& path, const std::string& folder) {
   const auto beside = std::filesystem::path(folder) / path;  // an absolute path stays what it is
   std::error_code error;
   return std::filesystem::exists(beside, error) ? beside.string() : path;
+}
+
+// Of a file that need not fit into memory.
+Result<std::string> sha256_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  Sha256 sum;
+  std::vector<char> some(1 << 20);
+  while (file) {
+    file.read(some.data(), static_cast<std::streamsize>(some.size()));
+    sum.add({some.data(), static_cast<std::size_t>(file.gcount())});
+  }
+  if (!file.eof()) return fail(StatusCode::kInvalidInput, path, "cannot be read");
+  return sum.hex();
 }
 
 Result<Picture> painted(std::string_view svg, std::uint64_t max_pixels) {
@@ -60,6 +77,26 @@ tl::expected<std::map<std::string, Input>, Problems> read_inputs(const Job& job,
   }
   if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
   return inputs;
+}
+
+Result<std::unique_ptr<RowSource>> open_rows(const Job& job, const std::string& folder, bool with_checksum,
+                                             Input& input) {
+  const auto drawing = job.inputs.find("drawing");
+  if (job.inputs.size() != 1 || drawing == job.inputs.end()) return std::unique_ptr<RowSource>();
+  const std::string path = located(drawing->second, folder);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::unique_ptr<RowSource>();
+  auto rows = open_png_rows(path);
+  if (!rows || !*rows) return rows;
+  input.path = drawing->second;
+  input.picture.width = (*rows)->size().width;
+  input.picture.height = (*rows)->size().height;
+  if (with_checksum) {
+    auto sum = sha256_of_file(path);
+    if (!sum) return tl::unexpected<Status>(std::move(sum.error()));
+    input.sha256 = *std::move(sum);
+  }
+  return rows;
 }
 
 }  // namespace tessera

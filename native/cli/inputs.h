@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 
+#include "tessera/image/row_source.h"
 #include "tessera/io/picture.h"
 #include "tessera/job/job.h"
 
@@ -20,5 +22,10 @@ struct Input {
 // reported together, with the path as their field.
 tl::expected<std::map<std::string, Input>, Problems> read_inputs(const Job& job, const std::string& folder,
                                                                  std::uint64_t max_pixels, bool with_checksums);
+
+// The one input of a job that goes tile by tile, its rows to be read as they are wanted; null where the file does not
+// come in rows. The picture of `input` has its size only.
+Result<std::unique_ptr<RowSource>> open_rows(const Job& job, const std::string& folder, bool with_checksum,
+                                             Input& input);
 
 }  // namespace tessera

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <new>
+#include <string_view>
 
 #include "tessera/cli/command_line.h"
 #include "tessera/cli/messages.h"
@@ -11,6 +12,7 @@
 #include "tessera/cli/saved_job.h"
 #include "tessera/cli/signals.h"
 #include "tessera/io/atomic_file.h"
+#include "tessera/job/guarded.h"
 #include "tessera/job/reference.h"
 
 #ifdef __GLIBC__  // known once any header of its own has been read
@@ -42,7 +44,7 @@ void keep_freed_memory() {
 
 int execute(const RunNewJob& command) {
   prepare(command.settings);
-  return run_and_write(command.job, command.settings, "");
+  return run_and_write(command.job, command.settings, "", ParametersFrom::kFlags);
 }
 
 int execute(const RunSavedJob& command) {
@@ -51,7 +53,8 @@ int execute(const RunSavedJob& command) {
   if (!job) {
     return print_problems(stop_reason() == StopReason::kNone ? job.error() : Problems{stop_status()});
   }
-  return run_and_write(*job, command.settings, std::filesystem::path(command.path).parent_path().string());
+  return run_and_write(*job, command.settings, std::filesystem::path(command.path).parent_path().string(),
+                       ParametersFrom::kFile);
 }
 
 int print_to_stdout(const std::string& text) {
@@ -103,8 +106,13 @@ int main(int argc, char** argv) {
   try {
     return tessera::main_of(argc, argv);
   } catch (const std::bad_alloc&) {
-    return tessera::print_problems({{tessera::StatusCode::kInternal, "", "out of memory"}});
+    return tessera::print_problems({{tessera::StatusCode::kInternal, "", tessera::kOutOfMemory}});
   } catch (const std::exception& error) {
+    // OpenCV's threads begin when there is something to do.
+    if (std::string_view(error.what()).find("pthread_create") != std::string_view::npos)
+      return tessera::print_problems({{tessera::StatusCode::kInternal, "",
+                                       std::string("threads cannot be started (") + error.what() +
+                                           "); --threads 1 needs none, and less memory"}});
     return tessera::print_problems(
         {{tessera::StatusCode::kInternal, "", std::string("a fault of ours: ") + error.what()}});
   }

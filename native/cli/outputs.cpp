@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "tessera/cli/signals.h"
 #include "tessera/io/sha256.h"
 #include "tessera/job/job_json.h"
 #include "tessera/job/techniques.h"
@@ -128,7 +129,8 @@ Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const s
                                                const Job& job, const JobResult& result, AtomicFiles& files) {
   std::vector<WrittenFile> written;
   const bool with_checksums = !report_paths(settings, formats).empty();
-  const auto write = [&](const std::string& path, const std::string& bytes) {
+  const auto write = [&](const std::string& path, const std::string& bytes) -> Result<void> {
+    if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
     written.push_back({path, bytes.size(), with_checksums ? sha256_hex(bytes) : ""});
     return files.add(path, bytes);
   };
@@ -157,11 +159,18 @@ Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const s
     auto done = write(file_name_in(settings.plots, artifact->name), artifact->bytes);
     if (!done) return tl::unexpected<Status>(std::move(done.error()));
   }
-  if (!settings.save_job.empty()) {
-    auto done = write(settings.save_job, job_to_text(job, Layout::kIndented) + "\n");
-    if (!done) return tl::unexpected<Status>(std::move(done.error()));
-  }
+  if (auto saved = save_job(settings, job, files, written); !saved)
+    return tl::unexpected<Status>(std::move(saved.error()));
   return written;
+}
+
+Result<void> save_job(const Settings& settings, const Job& job, AtomicFiles& files,
+                      std::vector<WrittenFile>& written) {
+  if (settings.save_job.empty()) return {};
+  const std::string bytes = job_to_text(job, Layout::kIndented) + "\n";
+  const bool with_checksum = !settings.report.empty();
+  written.push_back({settings.save_job, bytes.size(), with_checksum ? sha256_hex(bytes) : ""});
+  return files.add(settings.save_job, bytes);
 }
 
 }  // namespace tessera

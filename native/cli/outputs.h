@@ -33,4 +33,8 @@ std::string checkpoint_path(const Settings& settings, const std::vector<std::str
 Result<std::vector<WrittenFile>> write_outputs(const Settings& settings, const std::vector<std::string>& formats,
                                                const Job& job, const JobResult& result, AtomicFiles& files);
 
+// The job where the settings want it, as the last part of that.
+Result<void> save_job(const Settings& settings, const Job& job, AtomicFiles& files,
+                      std::vector<WrittenFile>& written);
+
 }  // namespace tessera

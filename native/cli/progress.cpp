@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tessera/cli/signals.h"
+
 namespace tessera {
 namespace {
 
@@ -46,6 +48,7 @@ void ProgressBar::begin_at(double fraction) {
 void ProgressBar::clear() {
   if (on_screen_) std::fputs("\r\x1B[K", stderr);
   on_screen_ = false;
+  bar_is_shown(false);
 }
 
 void ProgressBar::draw() {
@@ -57,6 +60,7 @@ void ProgressBar::draw() {
   fmt::print(stderr, "\r[{:<{}}] {:3.0f}% {}{}\x1B[K", std::string(filled, '#'), kWidth, 100 * fraction_, stage_,
              time_left(elapsed, done));
   on_screen_ = true;
+  bar_is_shown(true);
 }
 
 }  // namespace tessera

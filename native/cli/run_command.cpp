@@ -7,6 +7,7 @@
 
 #include "tessera/cli/backend.h"
 #include "tessera/cli/checkpoint.h"
+#include "tessera/cli/flags.h"
 #include "tessera/cli/inputs.h"
 #include "tessera/cli/messages.h"
 #include "tessera/cli/outputs.h"
@@ -14,6 +15,8 @@
 #include "tessera/cli/report.h"
 #include "tessera/cli/signals.h"
 #include "tessera/cli/stage_clock.h"
+#include "tessera/io/sha256.h"
+#include "tessera/job/tile_by_tile.h"
 #include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
@@ -39,6 +42,12 @@ class Run {
     }
     begin("decode");
     const bool reports = !report_paths(settings_, request.formats).empty();
+    if (goes_tile_by_tile(job_) && request.formats == std::vector<std::string>{"svg"} && !request.plots) {
+      std::map<std::string, Input> drawing;
+      auto rows = open_rows(job_, folder, reports, drawing["drawing"]);
+      if (!rows) return problem(std::move(rows.error()));
+      if (*rows) return go_tile_by_tile(**rows, drawing);
+    }
     auto inputs = read_inputs(job_, folder, settings_.max_pixels, reports);
     if (!inputs) return tl::unexpected<Problems>(std::move(inputs.error()));
     begin("backend");
@@ -90,17 +99,58 @@ class Run {
   }
 
   // Where GL was our choice and fails on the way, the CPU takes over.
-  tl::expected<JobResult, Problems> compute(const std::map<std::string, Input>& inputs, const JobRequest& request,
-                                            Backend& backend) {
-    Pictures pictures;
-    for (const auto& [role, input] : inputs) pictures[role] = input.picture.view();
+  Rasterizer& with_fallback(Backend& backend) {
     if (settings_.backend == BackendChoice::kAuto && backend.context) {
       backend.rasterizer = make_fallback_rasterizer(
           std::move(backend.rasterizer), cpu_backend().rasterizer, [this](const Status& reason) {
             warn("the gl backend failed (" + reason.message + "), the cpu takes over");
           });
     }
-    return run_job(job_, pictures, request, *backend.rasterizer, context());
+    return *backend.rasterizer;
+  }
+
+  tl::expected<JobResult, Problems> compute(const std::map<std::string, Input>& inputs, const JobRequest& request,
+                                            Backend& backend) {
+    Pictures pictures;
+    for (const auto& [role, input] : inputs) pictures[role] = input.picture.view();
+    return run_job(job_, pictures, request, with_fallback(backend), context());
+  }
+
+  // The SVG is written as it is made.
+  tl::expected<void, Problems> go_tile_by_tile(RowSource& drawing, const std::map<std::string, Input>& inputs) {
+    begin("backend");
+    auto backend = make_backend(settings_.backend);
+    if (!backend) return problem(std::move(backend.error()));
+    const std::string& path = settings_.outputs.front().path;
+    WrittenFile svg{path, 0, ""};
+    Sha256 sum;
+    const UnkillableScope unkillable;
+    AtomicFiles files;
+    if (auto begun = files.add(path, ""); !begun) return problem(std::move(begun.error()));
+    const auto take = [&](std::string_view bytes) {
+      svg.bytes += bytes.size();
+      if (!settings_.report.empty()) sum.add(bytes);
+      return files.append(bytes);
+    };
+    auto result = run_tile_by_tile(job_, drawing, with_fallback(*backend), context(), take);
+    if (!result) return tl::unexpected<Problems>(std::move(result.error()));
+    clock_.end();
+    if (!settings_.report.empty()) svg.sha256 = sum.hex();
+    auto done = add_job_and_report({svg}, inputs, *result, backend->rasterizer->name(), files);
+    if (!done) return problem(std::move(done.error()));
+    return {};
+  }
+
+  Result<void> add_job_and_report(std::vector<WrittenFile> written, const std::map<std::string, Input>& inputs,
+                                  const JobResult& result, std::string_view backend, AtomicFiles& files) {
+    if (auto saved = save_job(settings_, result.job, files, written); !saved) return saved;
+    if (!settings_.report.empty()) {
+      auto done = files.add(settings_.report, write_report(result.job, backend, inputs, result, written, clock_));
+      if (!done) return done;
+    }
+    if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
+    bar_.clear();
+    return files.commit();
   }
 
   Result<void> write(const std::map<std::string, Input>& inputs, const std::vector<std::string>& formats,
@@ -117,7 +167,9 @@ class Run {
     if (stop_reason() != StopReason::kNone) return tl::unexpected<Status>(stop_status());
     bar_.clear();
     if (!checkpoint_.path().empty()) files.remove(checkpoint_.path());
-    return files.commit();
+    auto done = files.commit();
+    end_time_limit();  // too late to be late
+    return done;
   }
 
   const Job& job_;
@@ -128,6 +180,18 @@ class Run {
   ProgressBar bar_{settings_.quiet ? ProgressMode::kNever : settings_.progress};
 };
 
+// Appends what changes the parameter that is the reason: "... (--half-side)".
+void name_flags(const Job& job, ParametersFrom from, Problems& problems) {
+  const auto append = [&](const std::vector<Parameter>& parameters, bool are_flags) {
+    for (Status& problem : problems)
+      for (const Parameter& parameter : parameters)
+        if (problem.code == StatusCode::kInvalidParameter && problem.field == parameter.info.key)
+          problem.message += " (" + (are_flags ? flag_of(parameter) : std::string("--set")) + ")";
+  };
+  append(parameters_of(job.params), from == ParametersFrom::kFlags);
+  append(setting_flags(), true);
+}
+
 }  // namespace
 
 void prepare(const Settings& settings) {
@@ -136,15 +200,18 @@ void prepare(const Settings& settings) {
   if (settings.timeout_s > 0) set_time_limit(settings.timeout_s);
 }
 
-int run_and_write(Job job, const Settings& settings, const std::string& folder) {
+int run_and_write(Job job, const Settings& settings, const std::string& folder, ParametersFrom from) {
   if (settings.seed) job.seed = *settings.seed;
   auto run = std::make_unique<Run>(job, settings);
-  const auto done = (*run)(folder);
+  auto done = (*run)(folder);
   const std::string kept = run->kept();
   run.reset();  // and its bar, before anything is said
   if (done) return kExitDone;
   // Whatever failed once we were told to stop failed for that reason.
-  if (stop_reason() == StopReason::kNone) return print_problems(done.error());
+  if (stop_reason() == StopReason::kNone) {
+    name_flags(job, from, done.error());
+    return print_problems(done.error());
+  }
   Status stopped = stop_status();
   if (!kept.empty()) stopped.message += "; what is done is kept in " + kept + ", --resume goes on";
   return print_problems({stopped});

@@ -50,15 +50,29 @@ std::string behind_links(const std::string& path) {
   return error ? path : target.string();
 }
 
-// A new file in the folder of `target`, open for writing; -1 with errno set.
-int create_beside(const std::string& target, std::string& name) {
+// A name in the folder of `target` that `take` finds free; what that returns, -1 with errno set.
+template <class Take>
+int take_name_beside(const std::string& target, std::string& name, const Take& take) {
   const std::size_t slash = target.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
   for (int attempt = 0;; ++attempt) {
     name = fmt::format("{}.tessera-{}-{}.tmp", folder, getpid(), attempt);
-    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    const int taken = take(name.c_str());
+    if (taken >= 0 || errno != EEXIST) return taken;
   }
+}
+
+// A new file in the folder of `target`, open for writing; -1 with errno set.
+int create_beside(const std::string& target, std::string& name) {
+  return take_name_beside(target, name,
+                          [](const char* path) { return open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
+}
+
+// A second name for what is at `target` now; empty where there is nothing, or the file system knows no such names.
+std::string second_name(const std::string& target) {
+  std::string name;
+  const int linked = take_name_beside(target, name, [&](const char* path) { return link(target.c_str(), path); });
+  return linked == 0 ? name : "";
 }
 
 }  // namespace
@@ -81,7 +95,8 @@ Result<void> AtomicFiles::add(const std::string& path, std::string_view bytes) {
   struct stat info {};
   const bool exists = stat(path.c_str(), &info) == 0;
   if (path != "-" && exists && S_ISDIR(info.st_mode)) return unwritable(path, EISDIR);
-  if (is_stream(path, exists ? &info : nullptr)) {
+  last_is_stream_ = is_stream(path, exists ? &info : nullptr);
+  if (last_is_stream_) {
     streams_.push_back({path, std::string(bytes)});
     return {};
   }
@@ -94,6 +109,18 @@ Result<void> AtomicFiles::add(const std::string& path, std::string_view bytes) {
   return {};
 }
 
+Result<void> AtomicFiles::append(std::string_view bytes) {
+  if (last_is_stream_) {
+    streams_.back().bytes += bytes;
+    return {};
+  }
+  const Pending& file = files_.back();
+  const int descriptor = open(file.temporary.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return unwritable(file.path, errno);
+  if (const int error = write_and_close(descriptor, bytes)) return unwritable(file.path, error);
+  return {};
+}
+
 Result<void> AtomicFiles::commit() {
   for (const Stream& stream : streams_) {
     const int descriptor =
@@ -101,12 +128,23 @@ Result<void> AtomicFiles::commit() {
     if (descriptor < 0) return unwritable(stream.path, errno);
     if (const int error = write_and_close(descriptor, stream.bytes)) return unwritable(stream.path, error);
   }
+  // One alone is replaced in a single step. Of several the older ones are kept until all are in place.
+  std::vector<std::string> older;
   for (std::size_t i = 0; i < files_.size(); ++i) {
+    older.push_back(files_.size() > 1 ? second_name(files_[i].target) : "");
     if (std::rename(files_[i].temporary.c_str(), files_[i].target.c_str()) == 0) continue;
     const int error = errno;
-    for (std::size_t k = 0; k < i; ++k) unlink(files_[k].target.c_str());
+    if (!older[i].empty()) unlink(older[i].c_str());
+    for (std::size_t k = 0; k < i; ++k) {
+      if (older[k].empty())
+        unlink(files_[k].target.c_str());
+      else
+        std::rename(older[k].c_str(), files_[k].target.c_str());
+    }
     return unwritable(files_[i].path, error);
   }
+  for (const std::string& name : older)
+    if (!name.empty()) unlink(name.c_str());
   for (const std::string& path : removed_) unlink(path.c_str());
   files_.clear();
   folders_.clear();

@@ -23,9 +23,12 @@ class AtomicFiles {
   Result<void> add_folder(const std::string& path);
   // A file. "-" is standard output; that, devices and pipes can have no temporary and are written by commit().
   Result<void> add(const std::string& path, std::string_view bytes);
+  // More bytes of the file that was added last.
+  Result<void> append(std::string_view bytes);
   // A file that commit() is to remove, once everything is in place; it need not be there.
   void remove(const std::string& path) { removed_.push_back(path); }
-  // Once, after the last add(). Where one cannot be put in place, those that were are removed again.
+  // Once, after the last add(). Where one cannot be put in place, those that were are removed again and what they
+  // replaced is back.
   Result<void> commit();
 
  private:
@@ -42,6 +45,7 @@ class AtomicFiles {
   std::vector<std::string> folders_, removed_;
   std::vector<Pending> files_;
   std::vector<Stream> streams_;
+  bool last_is_stream_ = false;
 };
 
 }  // namespace tessera

@@ -239,3 +239,50 @@ test('packs into one file that works where nothing else is', () => {
     rmSync(folder, { recursive: true });
   }
 });
+
+test('a morphed grid relaxes step by step, and is laid as a job has it', async () => {
+  const core = await createTessera({ threads: 1 });
+  const { picture } = disc(120);
+  core.setInput('target', picture);
+  core.setInput('panel-oak', { ...picture, dpi: 50 });
+  const params = { imageSizeMm: 60, patchMm: 10, grid: 'morphed' };
+  const begin = (more) => core.beginGrid(core.readJob(JSON.stringify({ schemaVersion: 1, technique: 'parquetry', params: { ...params, ...more } })));
+  const settled = (grid) => {
+    let steps = 0;
+    for (let more = 1; more > 0; steps += more) more = grid.step(7);
+    return steps;
+  };
+  const grid = begin({});
+  assert.deepEqual([grid.across, grid.down, Math.round(grid.widthMm)], [6, 6, 60]);
+  const even = [...grid.vertices()];
+  assert.equal(even.length, 2 * 49);
+  assert.ok(settled(grid) > 10);
+  assert.notDeepEqual([...grid.vertices()], even);
+  const { width, height, found, counting } = grid.edges();
+  assert.equal(found.length, width * height);
+  assert.ok(found.some((kind) => kind > 0));
+  assert.deepEqual(counting, found);
+  const [x, y] = grid.vertices().slice(2 * 24);
+  for (let i = 0; i < 60; ++i) {
+    grid.drag(3, 3, x + 1.5, y - 1);
+    grid.step(1);
+  }
+  const pins = grid.lay();
+  assert.match(pins, /^3,3:/);
+  const laid = [...grid.vertices()];
+  const again = begin({ pins });
+  settled(again);
+  assert.deepEqual([...again.vertices()], laid);
+  assert.throws(() => begin({ pins: '9,9:1,1' }), (error) => error instanceof TesseraError && error.problems[0].field === 'pins');
+  assert.throws(() => begin({ grid: 'regular' }), TesseraError);
+});
+
+test('closed shapes of an SVG are painted as numbers', async () => {
+  const core = await createTessera({ threads: 1 });
+  const { data, width, height } = core.paintShapes('<svg viewBox="0 0 2 1"><rect width="1" height="1"/></svg>');
+  const number = (x) => data.slice(4 * x, 4 * x + 4);
+  assert.equal(width, 2 * height);
+  assert.deepEqual([...number(0)], [0, 0, 1, 255]);
+  assert.deepEqual([...number(width - 1)], [0, 0, 0, 255]);
+  assert.throws(() => core.paintShapes('<svg viewBox="0 0 2 1"><path d="M0 0L1 0L1 1"/></svg>'), /closed/);
+});

@@ -77,13 +77,13 @@ async function chooseAll(app, page, folder) {
 const unzip = ({ bytes }) => new Map(Object.entries(unzipSync(bytes)).map(([name, data]) => [name, Buffer.from(data)]));
 const rowsOf = (csv) => csv.toString().trim().split('\n').slice(1).map((line) => line.split(','));
 
-/** That the folder in a ZIP is what the native program makes of the job; its files. */
-function sameAsNative(zip, job, folder) {
+/** That the folder in a ZIP is what the native program makes of the job; its files. `own`: those which only the page has. */
+function sameAsNative(zip, job, folder, own = []) {
   const files = unzip(zip);
   writeFileSync(join(folder, 'job.json'), job.text);
   native('run', join(folder, 'job.json'), '-o', join(folder, 'out/'));
   const made = readdirSync(join(folder, 'out')).sort();
-  assert.deepEqual([...files.keys()].sort(), made);
+  assert.deepEqual([...files.keys()].filter((name) => !own.includes(name)).sort(), made);
   assert.ok(made.includes('panel-elm.cut.dxf'), made.join());
   for (const name of made.filter((name) => /\.(csv|png|dxf)$/.test(name)))
     assert.ok(files.get(name).equals(readFileSync(join(folder, 'out', name))), `${name} differs`);
@@ -320,6 +320,191 @@ test('marks are found, confirmed, added and removed', async () => {
   });
 });
 
+/** The grid that is worked on, once it is at rest: `at(column, row)` is a place in mm. */
+async function gridAtRest(page) {
+  await page.waitForFunction(() => window.tessera.grid?.atRest);
+  const grid = await page.evaluate(() => ({ ...window.tessera.grid, vertices: [...window.tessera.grid.vertices] }));
+  const at = (column, row) => grid.vertices.slice(2 * (row * (grid.across + 1) + column)).slice(0, 2);
+  return { ...grid, at };
+}
+
+/** A place on the target, mm, on the page. */
+async function onTarget(app, [x, y]) {
+  const [place] = await app.onPicture(120, 100, [[x / 72, y / 60]]);
+  return place;
+}
+
+const farthest = (a, b) => Math.max(...a.map((value, i) => Math.abs(value - b[i])));
+const kMorphed = '#technique=parquetry&imageSizeMm=60&patchMm=12&rotations=4&grid=morphed&minWidthMm=4';
+
+test('a corner of the grid is dragged while the rest relaxes, and what is seen is made', async () => {
+  await withParquet({ hash: kMorphed }, async (app, page, folder) => {
+    // An upright edge, which draws one column of corners to itself.
+    writeFileSync(join(folder, 'target.png'), png(120, 100, 0, (x) => (x < 66 ? 40 : 210)));
+    await chooseAll(app, page, folder);
+    await app.button('Corners').click();
+    const before = await gridAtRest(page);
+    assert.deepEqual([before.across, before.down], [6, 5]);
+    assert.ok(before.steps > 10, `${before.steps} steps`);
+    // Back to where the even grid has it: the corner inside that the edges have drawn the farthest.
+    const inside = [1, 2, 3, 4].flatMap((row) => [1, 2, 3, 4, 5].map((column) => ({ column, row, to: [12 * column, 12 * row] })));
+    const far = ({ column, row, to }) => farthest(before.at(column, row), to);
+    const { column, row, to } = inside.reduce((best, one) => (far(one) > far(best) ? one : best));
+    assert.ok(far({ column, row, to }) > 1, 'no edge has attracted any');
+    const from = before.at(column, row);
+    const i = 2 * (row * 7 + column);
+    const seenAt = (x, y, reach) =>
+      page.waitForFunction(
+        ([k, u, v, most]) => {
+          const { atRest, vertices } = window.tessera.grid;
+          return (most > 0.01 || atRest) && Math.hypot(vertices[k] - u, vertices[k + 1] - v) < most;
+        },
+        [i, x, y, reach],
+      );
+    await page.mouse.move(...(await onTarget(app, from)));
+    await page.mouse.down();
+    await page.mouse.move(...(await onTarget(app, to)), { steps: 6 });
+    await seenAt(...to, 0.2);
+    await page.mouse.up();
+    await page.locator(`.grid-pin[data-pin="${column},${row}"]`).waitFor({ state: 'attached' });
+    const after = await gridAtRest(page);
+    assert.ok(farthest(after.at(column, row), to) < 0.3, `${after.at(column, row)} for ${to}`);
+    const others = ({ vertices }) => vertices.filter((_, k) => k !== i && k !== i + 1);
+    assert.ok(farthest(others(after), others(before)) > 0.05, 'no other corner has moved');
+    // Undone and redone.
+    await page.keyboard.press('Control+z');
+    await page.locator('.grid-pin').waitFor({ state: 'detached' });
+    await seenAt(...from, 1e-9);
+    assert.ok(farthest((await gridAtRest(page)).vertices, before.vertices) < 1e-9);
+    await page.keyboard.press('Control+Shift+z');
+    await page.locator('.grid-pin').waitFor({ state: 'attached' });
+    await seenAt(...after.at(column, row), 1e-9);
+    assert.ok(farthest((await gridAtRest(page)).vertices, after.vertices) < 1e-9);
+    // A run begins when the tool is left; the pieces have their corners where the grid had them.
+    await app.change(() => app.button('Done').click());
+    const job = await app.download('job');
+    const [, vertex, x, y] = /^(\d,\d):([\d.]+),([\d.]+)$/.exec(JSON.parse(job.text).params.pins);
+    assert.equal(vertex, `${column},${row}`);
+    assert.ok(farthest([Number(x), Number(y)], after.at(column, row)) < 1e-6);
+    sameAsNative(await app.download('ZIP'), job, folder);
+    native('run', join(folder, 'job.json'), '-o', join(folder, 'pieces.json'));
+    const { features } = JSON.parse(readFileSync(join(folder, 'pieces.json')));
+    const points = features.flatMap(({ geometry }) => geometry.coordinates.flat());
+    const mm = after.heightMm / Math.max(...points.map((point) => Math.abs(point[1])));
+    for (let i = 0; i < after.vertices.length; i += 2) {
+      const away = points.map(([u, v]) => Math.hypot(mm * Math.abs(u) - after.vertices[i], mm * Math.abs(v) - after.vertices[i + 1]));
+      assert.ok(Math.min(...away) < 0.02, `no piece has a corner at ${after.vertices[i]}, ${after.vertices[i + 1]}`);
+    }
+  });
+});
+
+test('corners of the grid are laid and let go by keys alone', async () => {
+  await withParquet({ hash: kMorphed, reducedMotion: 'reduce' }, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await app.button('Corners').focus();
+    await page.keyboard.press('Enter');
+    const before = await gridAtRest(page);
+    await page.keyboard.press('ArrowRight');
+    await page.getByRole('status').getByText(/^Corner 3, 2: /).waitFor();
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press(' ');
+    await page.getByRole('status').getByText(/^Corner 3, 1: .*, taken up$/).waitFor();
+    for (let i = 0; i < 2; ++i) await page.keyboard.press('ArrowRight');
+    await page.waitForFunction((x) => window.tessera.grid.vertices[2 * 10] > x + 1, before.at(3, 1)[0]);
+    await page.keyboard.press(' ');
+    await page.getByRole('status').getByText(/^Corner 3, 1: .*, laid$/).waitFor();
+    // One that is left is none that is laid.
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('ArrowUp');
+    assert.equal(await page.locator('.grid-pin').count(), 1);
+    await page.keyboard.press('Delete');
+    await page.locator('.grid-pin').waitFor({ state: 'detached' });
+    await page.waitForFunction((x) => Math.abs(window.tessera.grid.vertices[2 * 10] - x) < 1e-9, before.at(3, 1)[0]);
+    await page.keyboard.press('Control+z');
+    await page.locator('.grid-pin[data-pin="3,1"]').waitFor({ state: 'attached' });
+    await app.change(() => app.button('Generate').click());
+    assert.match((await jobOf(app)).params.pins, /^3,1:/);
+    // A regular grid has no corners to lay.
+    await app.change(() => page.getByRole('combobox', { name: 'Grid', exact: true }).selectOption('regular'));
+    assert.equal((await jobOf(app)).params.pins, '');
+    assert.equal(await app.button('Corners').count(), 0);
+  });
+});
+
+test('a brush says which edges the grid follows', async () => {
+  await withParquet({ hash: kMorphed }, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await app.button('Edges').click();
+    const before = await gridAtRest(page);
+    await app.button('Broad brush').click();
+    const strokes = [];
+    for (let v = 0.02; v < 1.1; v += 0.16) strokes.push([0, v], [1, v]);
+    await app.drag(await app.onPicture(120, 100, strokes));
+    const even = (column, row) => [12 * column, 12 * row];
+    await page.waitForFunction(() => window.tessera.grid.atRest && Math.abs(window.tessera.grid.vertices[2 * 16] - 24) < 0.2);
+    const masked = await gridAtRest(page);
+    for (let row = 0; row <= 5; ++row)
+      for (let column = 0; column <= 6; ++column) assert.ok(farthest(masked.at(column, row), even(column, row)) < 0.2);
+    await app.change(() => app.button('Done').click());
+    const job = await app.download('job');
+    const zip = await app.download('ZIP');
+    assert.equal(JSON.parse(job.text).inputs['edge-mask'], 'edge-mask.png');
+    writeFileSync(join(folder, 'edge-mask.png'), unzip(zip).get('edge-mask.png'));
+    sameAsNative(zip, job, folder, ['edge-mask.png']);
+    await app.change(() => app.button('Undo').click());
+    assert.equal((await jobOf(app)).inputs['edge-mask'], undefined);
+    await app.button('Edges').click();
+    assert.ok(farthest((await gridAtRest(page)).vertices, before.vertices) < 1e-9);
+    await app.button('Large').click();
+    await app.drag(await app.onPicture(120, 100, [[0.2, 0.5], [0.8, 0.5]]));
+    await app.change(() => app.button('Done').click());
+    const { inputs } = await jobOf(app);
+    assert.equal(inputs['edge-mask'], 'edge-mask.png');
+    // Another target has none.
+    writeFileSync(join(folder, 'other.png'), target);
+    await app.change(() => chooseTarget(page, join(folder, 'other.png')));
+    assert.equal((await jobOf(app)).inputs['edge-mask'], undefined);
+  });
+});
+
+test('a file gives the shapes of the pieces', async () => {
+  await withParquet({ hash: '#technique=parquetry&imageSizeMm=60&patchMm=12&rotations=4&posterize=3' }, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    const choose = (name) => page.getByLabel('Segmentation', { exact: true }).setInputFiles(join(folder, name));
+    writeFileSync(join(folder, 'halves.png'), png(60, 50, 0, (x, y) => (x < 20 ? 0 : y < 25 ? 90 : 200)));
+    writeFileSync(
+      join(folder, 'drawing.svg'),
+      '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 100"><rect width="60" height="100"/><circle cx="90" cy="50" r="24"/></svg>',
+    );
+    writeFileSync(join(folder, 'open.svg'), '<svg viewBox="0 0 120 100"><path d="M0 0L10 0L10 10"/></svg>');
+    writeFileSync(join(folder, 'wide.png'), png(90, 50, 0, () => 3));
+    for (const [name, pieces] of [['halves.png', 3], ['drawing.svg', 4]]) {
+      await app.change(() => choose(name));
+      const job = await app.download('job');
+      assert.equal(JSON.parse(job.text).inputs.segmentation, name);
+      assert.equal(JSON.parse(job.text).params.posterize, 0);
+      const files = sameAsNative(await app.download('ZIP'), job, folder);
+      assert.ok(rowsOf(files.get('pieces.csv')).length >= pieces - 1);
+      const inputsOf = (report) => JSON.parse(report).inputs.map(({ path, width, height, sha256 }) => [basename(path), width, height, sha256]).sort();
+      assert.deepEqual(inputsOf(files.get('report.json')), inputsOf(readFileSync(join(folder, 'out/report.json'))));
+    }
+    // What does not fit is told, and changes nothing.
+    await choose('open.svg');
+    await page.getByRole('alert').getByText(/open\.svg.* closed/).waitFor();
+    await choose('wide.png');
+    await page.getByRole('alert').getByText(/wide\.png.* is 90 × 50, expected the proportions of the target, 120 × 100/).waitFor();
+    await app.generate();
+    assert.equal((await jobOf(app)).inputs.segmentation, 'drawing.svg');
+    await app.change(() => app.button('Remove segmentation').click());
+    assert.equal((await jobOf(app)).inputs.segmentation, undefined);
+    await app.change(() => app.button('Undo').click());
+    assert.equal((await jobOf(app)).inputs.segmentation, 'drawing.svg');
+  });
+});
+
 test('what only the cut files take is not matched again', async () => {
   await withParquet({}, async (app, page, folder) => {
     await chooseAll(app, page, folder);
@@ -354,6 +539,49 @@ test("a scan's opacity is its mask", async () => {
     const rows = rowsOf(unzip(await app.download('ZIP')).get('pieces.csv'));
     assert.ok(rows.length > 0);
     assert.ok(rows.every((row) => Number(row[5]) < 81.3));
+  });
+});
+
+test('a result is improved for some seconds, and the job says how often that was tried', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    await app.change(async () => {
+      await page.getByRole('spinbutton', { name: 'Improve for' }).fill('1');
+      await page.getByRole('spinbutton', { name: 'Improve for' }).press('Enter');
+    });
+    const job = await app.download('job');
+    const tries = JSON.parse(job.text).params.improveTries;
+    assert.ok(tries > 0, `${tries} tries`);
+    const files = sameAsNative(await app.download('ZIP'), job, folder);
+    const report = JSON.parse(files.get('report.json'));
+    assert.ok(report.metrics.cost <= report.metrics.greedy_cost);
+    assert.equal(report.params.improveTries, tries);
+    assert.deepEqual(report.metrics, JSON.parse(readFileSync(join(folder, 'out/report.json'))).metrics);
+  });
+});
+
+test('several targets are made of the same wood', async () => {
+  await withParquet({}, async (app, page, folder) => {
+    await chooseAll(app, page, folder);
+    writeFileSync(join(folder, 'tall.png'), png(50, 90, 0, (x, y) => 2 * y + x));
+    writeFileSync(join(folder, 'broken.png'), 'no picture');
+    await app.change(() =>
+      page.getByLabel('More', { exact: true }).setInputFiles([join(folder, 'tall.png'), join(folder, 'broken.png')]),
+    );
+    await page.getByRole('alert').getByText(/broken.png.* is not a picture/).waitFor();
+    const job = await app.download('job');
+    assert.equal(JSON.parse(job.text).inputs['target-2'], 'tall.png');
+    const files = sameAsNative(await app.download('ZIP'), job, folder);
+    assert.ok(files.has('preview-2.png'));
+    assert.match(await page.locator('.bar-text').textContent(), /2 targets/);
+    // Both are on the stage: a piece of the second is pointed at. The first is 72 x 60 mm, the second 60 x 108.
+    const [place] = await app.onPicture(132, 108, [[(72 + 30) / 132, 100 / 108]]);
+    await page.mouse.move(...place);
+    await page.locator('.piece-label').getByText(/^2-[A-F]1[01]$/).waitFor();
+    await app.change(() => app.button('Remove tall.png').click());
+    assert.equal((await jobOf(app)).inputs['target-2'], undefined);
+    await app.change(() => app.button('Undo').click());
+    assert.equal((await jobOf(app)).inputs['target-2'], 'tall.png');
   });
 });
 
@@ -432,6 +660,36 @@ for (const { name, ...options } of looks) {
       if (!name.startsWith('phone')) return;
       await page.getByRole('button', { name: 'Wood', exact: true }).click();
       await checkLook(page, `parquetry-wood-${name}`);
+    });
+  });
+}
+
+for (const { name, ...options } of looks) {
+  test(`the grid looks right and shuts nobody out: ${name}`, async () => {
+    const hash = '#technique=parquetry&imageSizeMm=100&patchMm=8&rotations=4&resolutionDpi=75&grid=morphed&minWidthMm=4';
+    await withApp({ isolated: true, hash, ...options }, async (app, page) => {
+      await app.finished();
+      const isPhone = name.startsWith('phone');
+      const open = async (tool) => {
+        if (isPhone) await app.button('Parameters').click();
+        await app.button(tool).click();
+        if (isPhone) await app.button('Parameters').click();
+      };
+      await open('Corners');
+      await gridAtRest(page);
+      const [width, height] = await page.evaluate(() => [window.tessera.grid.widthMm, window.tessera.grid.heightMm]);
+      const places = await app.onPicture(width * 100, height * 100, [[0.5, 0.5], [0.53, 0.46]]);
+      await page.mouse.move(...places[0]);
+      await app.drag(places);
+      await page.locator('.grid-pin').waitFor({ state: 'attached' });
+      await gridAtRest(page);
+      await checkLook(page, `parquetry-grid-${name}`);
+      await open('Edges');
+      await gridAtRest(page);
+      await app.drag(await app.onPicture(width * 100, height * 100, [[0.1, 0.2], [0.5, 0.2]]));
+      await page.waitForTimeout(500);
+      await gridAtRest(page);
+      await checkLook(page, `parquetry-edges-${name}`);
     });
   });
 }

@@ -309,6 +309,31 @@ class ParquetTest(CliTest):
                        says=['pins', '1,1'])
         self.fail_with(2, 'parquet', 'target.png', *SMALL, *board, '--pins', '1,1:11,11', '-o', 'no', says=['pins', 'morphed'])
 
+    def test_a_mask_says_which_edges_count(self):
+        self.put('target.png', png(90, 90, lambda x, y: 40 if x < 26 or y > 62 else 210))
+        self.put('all.png', png(300, 240, lambda x, y: 255))
+        self.put('none.png', png(90, 90, lambda x, y: 0))
+        self.put('right.png', png(45, 45, lambda x, y: 255 if x > 20 else 0))
+        self.put('wide.png', png(90, 60, lambda x, y: 255))
+        board = ['--panel', 'board.png,name=oak', '--min-width-mm', 4, '--grid', 'morphed']
+        outlines = {}
+        for name in ('all', 'right', 'none'):
+            mask = [] if name == 'all' else ['--edge-mask', f'{name}.png']
+            self.parquet(*board, *mask, '-o', name)
+            outlines[name] = self.paths(f'{name}/assembly.svg', 'outlines')
+        # Without edges the grid is even but for whole pixels.
+        off = {name: max(abs(float(row['area_mm2']) - 100) for row in self.rows(name)) for name in outlines}
+        self.assertLess(off['none'], 3)
+        self.assertGreater(off['right'], 10)
+        self.assertGreater(off['all'], 10)
+        self.assertEqual(len({str(sorted(paths.items())) for paths in outlines.values()}), 3)
+        self.succeed('run', 'right/job.json', '-o', 'again')
+        self.assertEqual(self.files('right'), self.files('again'))
+        self.fail_with(3, 'parquet', 'target.png', *SMALL, *board, '--edge-mask', 'wide.png', '-o', 'no',
+                       says=['edge-mask', '90 x 60'])
+        self.fail_with(3, 'parquet', 'target.png', *SMALL, *board[:2], '--edge-mask', 'right.png', '-o', 'no',
+                       says=['edge-mask', 'morphed'])
+
     def test_masks_keep_pieces_off(self):
         self.put('mask.png', png(300, 240, lambda x, y: 255 if x < 200 else 0))
         self.parquet('--panel', 'board.png,mask=mask.png,name=oak', '--side', 'front', '-o', 'out')

@@ -3,6 +3,7 @@
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <opencv2/core/utility.hpp>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "tessera/base/colour.h"
 #include "tessera/job/job_json.h"
 #include "tessera/job/reference.h"
+#include "tessera/job/shapes.h"
 #include "tessera/job/techniques.h"
 #include "tessera/voronoi/preview.h"
 
@@ -153,7 +155,8 @@ RunContext context_for(const val& watcher) {
   return context;
 }
 
-std::string run(const std::string& job_text, const std::string& backend_choice, const val& watcher) {
+// `improves`: watcher.goOn() says whether to go on making the result better, as often as that is asked.
+std::string run(const std::string& job_text, const std::string& backend_choice, bool improves, const val& watcher) {
   const auto job = read_job(job_text);
   if (!job) return problems_text(job.error());
   RunContext context = context_for(watcher);
@@ -162,6 +165,7 @@ std::string run(const std::string& job_text, const std::string& backend_choice, 
     watcher.call<void>("state");
     current_state = nullptr;
   };
+  if (improves) context.go_on_improving = [watcher] { return watcher.call<bool>("goOn"); };
   const auto observer = [&](const Iteration& iteration) {
     current_iteration = &iteration;
     watcher.call<void>("iteration", iteration.index, iteration.last);
@@ -173,6 +177,7 @@ std::string run(const std::string& job_text, const std::string& backend_choice, 
   return to_text({{"backend", backend},
                   {"counts", (*outcome)->counts},
                   {"metrics", (*outcome)->metrics},
+                  {"job", job_to_json((*outcome)->done.value_or(*job))},
                   {"retouched", static_cast<bool>((*outcome)->finish)}});
 }
 
@@ -223,6 +228,81 @@ std::string ask(const std::string& question, const std::string& job_text, const 
   const auto answer = engine().ask(question, *job, context_for(watcher));
   return answer ? to_text({{"answer", *answer}}) : problems_text(answer.error());
 }
+
+// ---- Pieces' shapes
+
+// {width, height, data} with opaque pixels, of an SVG of closed shapes; or problems as text.
+val paint_shapes(const std::string& svg) {
+  constexpr std::uint64_t kMaxPixels = 100'000'000;
+  const auto raster = read_shapes(svg, kMaxPixels);
+  if (!raster) return val(problems_text({raster.error()}));
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(raster->bytes.size() / 3 * 4);
+  for (std::size_t i = 0; i < raster->bytes.size(); i += 3) {
+    rgba.insert(rgba.end(), &raster->bytes[i], &raster->bytes[i] + 3);
+    rgba.push_back(255);
+  }
+  val object = val::object();
+  object.set("width", raster->width);
+  object.set("height", raster->height);
+  object.set("data", bytes_of(rgba.data(), rgba.size()));
+  return object;
+}
+
+// Its size, or problems.
+std::string begin_grid(const std::string& job_text) {
+  const auto job = read_job(job_text);
+  if (!job) return problems_text(job.error());
+  const auto grid = engine().begin_grid(*job);
+  if (!grid) return problems_text(grid.error());
+  const double mm = (*grid)->mm_per_px();
+  return to_text({{"across", (*grid)->grid().across()},
+                  {"down", (*grid)->grid().down()},
+                  {"widthMm", mm * (*grid)->size().width},
+                  {"heightMm", mm * (*grid)->size().height}});
+}
+
+// All vertices, row by row: x and y, mm. Null before a grid has begun.
+val grid_vertices() {
+  const parquetry::LiveGrid* live = engine().live_grid();
+  if (!live) return val::null();
+  std::vector<double> places;
+  for (int row = 0; row <= live->grid().down(); ++row)
+    for (int column = 0; column <= live->grid().across(); ++column) {
+      const Point mm = live->mm_per_px() * live->grid().vertex(column, row);
+      places.insert(places.end(), {mm.x, mm.y});
+    }
+  return bytes_of(places.data(), places.size());
+}
+
+// {width, height, found, counting}: all edges, and those that masks leave; a byte a pixel, 1 on a large edge, 2 on a
+// fine one, 3 on both.
+val grid_edges() {
+  const parquetry::LiveGrid* live = engine().live_grid();
+  if (!live) return val::null();
+  const auto kinds_of = [](const parquetry::FoundEdges& edges) {
+    const cv::Mat1b kinds = (edges.rolling_guidance & 1) | (edges.bilateral & 2);
+    return bytes_of(kinds.ptr(), kinds.total());
+  };
+  val object = val::object();
+  object.set("width", live->found().bilateral.cols);
+  object.set("height", live->found().bilateral.rows);
+  object.set("found", kinds_of(live->found()));
+  object.set("counting", kinds_of(live->counting()));
+  return object;
+}
+
+int step_grid(int most) { return engine().live_grid() ? engine().live_grid()->step(most) : 0; }
+
+void drag_vertex(int column, int row, double x, double y) {
+  parquetry::LiveGrid* live = engine().live_grid();
+  const auto is_within = [](int k, int last) { return k >= 0 && k <= last; };
+  if (live && is_within(column, live->grid().across()) && is_within(row, live->grid().down()) && std::isfinite(x) &&
+      std::isfinite(y))
+    live->drag(column, row, {x, y});
+}
+
+std::string lay_vertex() { return engine().live_grid() ? engine().live_grid()->lay() : std::string(); }
 
 // ---- Statistics
 
@@ -310,6 +390,13 @@ EMSCRIPTEN_BINDINGS(tessera) {
   emscripten::function("artifact", &tessera::artifact);
   emscripten::function("artifacts", &tessera::artifacts);
   emscripten::function("ask", &tessera::ask);
+  emscripten::function("paintShapes", &tessera::paint_shapes);
+  emscripten::function("beginGrid", &tessera::begin_grid);
+  emscripten::function("gridVertices", &tessera::grid_vertices);
+  emscripten::function("gridEdges", &tessera::grid_edges);
+  emscripten::function("stepGrid", &tessera::step_grid);
+  emscripten::function("dragVertex", &tessera::drag_vertex);
+  emscripten::function("layVertex", &tessera::lay_vertex);
   emscripten::function("measureFile", &tessera::measure_file);
   emscripten::function("measurePixels", &tessera::measure_pixels);
   emscripten::function("fit", &tessera::fit);

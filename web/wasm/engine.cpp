@@ -5,6 +5,7 @@
 
 #include "tessera/gpu/gl_rasterizer.h"
 #include "tessera/job/guarded.h"
+#include "tessera/job/parquet_job.h"
 #include "tessera/job/techniques.h"
 #include "tessera/voronoi/cpu_rasterizer.h"
 #include "tessera/voronoi/fallback_rasterizer.h"
@@ -83,6 +84,18 @@ tl::expected<std::vector<Artifact>, Problems> Engine::artifacts(const std::strin
 
 tl::expected<Artifact, Problems> Engine::artifact(const std::string& format) const {
   return artifacts(format).map([](std::vector<Artifact>&& all) { return std::move(all.front()); });
+}
+
+tl::expected<parquetry::LiveGrid*, Problems> Engine::begin_grid(const Job& job) {
+  auto begun = guarded([&]() -> Result<bool> {
+    if (!std::holds_alternative<parquetry::Params>(job.params))
+      return fail(StatusCode::kInvalidParameter, "technique", "has no grid, expected parquetry");
+    const auto done = begin_live_grid(job, pictures(), live_grid_);
+    if (!done) return tl::unexpected<Status>(done.error());
+    return true;
+  });
+  if (!begun) return tl::unexpected<Problems>(std::move(begun.error()));
+  return live_grid_.get();
 }
 
 tl::expected<std::string, Problems> Engine::ask(const std::string& question, const Job& job, RunContext context) {

@@ -14,6 +14,7 @@
 #include "tessera/job/fit.h"
 #include "tessera/job/job.h"
 #include "tessera/job/measure.h"
+#include "tessera/parquetry/live_grid.h"
 
 namespace tessera {
 
@@ -43,6 +44,10 @@ class Engine {
   tl::expected<Artifact, Problems> artifact(const std::string& format) const;
   tl::expected<std::vector<Artifact>, Problems> artifacts(const std::string& format) const;  // of "folder" many
 
+  // The job's morphed grid, to work on until the next is begun; its pictures were set. Problems as in run().
+  tl::expected<parquetry::LiveGrid*, Problems> begin_grid(const Job& job);
+  parquetry::LiveGrid* live_grid() const { return live_grid_.get(); }  // null: none has begun
+
   // What one of the technique's questions is answered with for the job and the pictures that were set.
   tl::expected<std::string, Problems> ask(const std::string& question, const Job& job, RunContext context);
 
@@ -66,6 +71,7 @@ class Engine {
   };
   std::map<std::string, Input> pictures_;
   std::optional<Finished> finished_;
+  std::unique_ptr<parquetry::LiveGrid> live_grid_;
   std::string state_;  // that the last long run has left
   std::atomic<int> stop_{0};
   bool has_gl_ = false, gl_is_software_ = false;

@@ -47,6 +47,9 @@ TEST(AppendNumber, ExactTexts) {
   EXPECT_EQ(number(1000000), "1000000");
   EXPECT_EQ(number(1002003.004), "1002003.004");
   EXPECT_EQ(number(999999999999.0), "999999999999");
+  EXPECT_EQ(number(1234567890123.25), "1234567890123.25");
+  EXPECT_EQ(number(-1e15), "-1000000000000000");
+  EXPECT_EQ(number(1e18), "1000000000000000000");
   EXPECT_EQ(number(1e-300), "0");
   EXPECT_EQ(number(std::numeric_limits<double>::denorm_min()), "0");
 }
@@ -74,7 +77,6 @@ TEST(AppendNumber, Appends) {
 TEST(AppendNumber, RefusesWhatIsNoNumber) {
   EXPECT_DEATH(number(std::nan("")), "");
   EXPECT_DEATH(number(std::numeric_limits<double>::infinity()), "");
-  EXPECT_DEATH(number(-1e12), "");
 }
 #endif
 

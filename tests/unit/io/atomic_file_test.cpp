@@ -93,6 +93,36 @@ TEST_F(AtomicFilesTest, AFullDeviceKeepsTheOthersAway) {
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
+TEST_F(AtomicFilesTest, WhereOneCannotBePutInPlaceTheOlderOnesAreBack) {
+  put("old.svg", "old");
+  put("older.svg", "older");
+  {
+    AtomicFiles files;
+    ASSERT_TRUE(files.add(path("old.svg"), "new").has_value());
+    ASSERT_TRUE(files.add(path("first.svg"), "new").has_value());
+    ASSERT_TRUE(files.add(path("older.svg"), "new").has_value());
+    ASSERT_TRUE(files.add(path("last.svg"), "new").has_value());
+    fs::create_directory(path("last.svg"));  // meanwhile, by somebody else
+    const auto done = files.commit();
+    ASSERT_FALSE(done.has_value());
+    EXPECT_EQ(done.error().code, StatusCode::kUnwritable);
+    EXPECT_EQ(done.error().field, path("last.svg"));
+  }
+  EXPECT_EQ(text("old.svg"), "old");
+  EXPECT_EQ(text("older.svg"), "older");
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(AtomicFilesTest, AFolderThatGoesMeanwhileIsTold) {
+  fs::create_directory(path("out"));
+  AtomicFiles files;
+  ASSERT_TRUE(files.add(path("out/a.svg"), "new").has_value());
+  fs::remove_all(path("out"));
+  const auto done = files.commit();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().field, path("out/a.svg"));
+}
+
 TEST_F(AtomicFilesTest, ReadsBackLargeFiles) {
   const std::string bytes(300'000, 'x');
   AtomicFiles files;

@@ -190,7 +190,7 @@ TEST(JobJsonTest, RolesOfManyPicturesHaveNames) {
   EXPECT_EQ(job_to_text(*read_job(job_to_text(*job))), job_to_text(*job));
   for (const char* wrong : {"panel", "panel-", "panel-a b", "panel-../x", "mask", "oak"}) {
     const Status status = refusal(start + '"' + wrong + "\": \"o.jpg\"}}");
-    EXPECT_THAT(status.message, HasSubstr("expected target, target-NAME, segmentation, panel-NAME or mask-NAME"))
+    EXPECT_THAT(status.message, HasSubstr("expected target, target-NAME, segmentation, edge-mask, panel-NAME or mask-NAME"))
         << wrong;
   }
 }

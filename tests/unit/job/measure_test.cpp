@@ -76,6 +76,10 @@ TEST(PatternFileTest, RefusesWhatIsNone) {
   EXPECT_THAT(refusal(R"({"features":[{"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,1]]]}}]})"),
               HasSubstr("feature 1"));
   EXPECT_THAT(refusal(R"({"features":[7]})"), HasSubstr("feature 1"));
+  EXPECT_THAT(refusal(R"({"features":[{"geometry":{"type":5,"coordinates":[1,2]}}]})"), HasSubstr("feature 1"));
+  EXPECT_THAT(refusal(R"({"features":[{"geometry":{"coordinates":[1,2]}}]})"), HasSubstr("feature 1"));
+  EXPECT_THAT(refusal("<svg><path d=\"M0 0L9 0L9 9Z\"/><path class=\"point\" d=\"M0 0L9 0L9 9Z\"/></svg>"),
+              HasSubstr("both cells and points"));
   EXPECT_THAT(refusal(std::string(100000, '[')), HasSubstr("JSON"));
 }
 

@@ -64,6 +64,63 @@ class ParquetJobTest : public ::testing::Test {
   std::vector<std::string> stages;
 };
 
+TEST_F(ParquetJobTest, BeginsItsGridForPeopleToWorkOn) {
+  std::unique_ptr<parquetry::LiveGrid> grid;
+  const auto begin = [&](const Pictures& given) { return begin_live_grid({1, params, {}}, given, grid); };
+  const auto regular = begin(pictures());
+  ASSERT_FALSE(regular);
+  EXPECT_EQ(regular.error().field, "grid");
+  params.grid = parquetry::GridKind::kMorphed;
+  EXPECT_EQ(begin({{"panel-oak", view_of(panel)}}).error().field, "target");
+  ASSERT_TRUE(begin(pictures()));
+  EXPECT_EQ(grid->mm_per_px(), 1);
+  EXPECT_EQ(grid->size(), cv::Size(40, 40));
+  EXPECT_EQ(grid->grid().across(), 4);
+  // What has been found is kept while it is right.
+  const parquetry::LiveGrid* const first = grid.get();
+  const cv::Mat3b black(10, 10, cv::Vec3b(0, 0, 0)), wide(10, 20);
+  Pictures masked = pictures();
+  masked["edge-mask"] = view_of(black);
+  ASSERT_TRUE(begin(masked));
+  EXPECT_EQ(grid.get(), first);
+  EXPECT_EQ(cv::countNonZero(grid->counting().bilateral), 0);
+  masked["edge-mask"] = view_of(wide);
+  EXPECT_EQ(begin(masked).error().field, "edge-mask");
+  params.patch_mm = 20;
+  ASSERT_TRUE(begin(pictures()));
+  EXPECT_EQ(grid->grid().across(), 2);
+}
+
+// A place that no run gives: of another panel or rotation, off the panel, or with another turn than its rotation's.
+TEST_F(ParquetJobTest, AStateThatSomebodyHasChangedIsRefused) {
+  const auto first = run();
+  ASSERT_TRUE(first.has_value());
+  const std::string& state = first->state;
+  std::size_t line = state.find('\n', state.find('\n') + 1) + 1;
+  const std::size_t end = state.find('\n', line);
+  const std::string head = state.substr(0, line), tail = state.substr(end);
+  std::vector<std::string> numbers;
+  for (std::size_t next = 0; line < end; line = next + 1) {
+    next = std::min(state.find(' ', line), end);
+    numbers.push_back(state.substr(line, next - line));
+  }
+  ASSERT_EQ(numbers.size(), 19u);
+  const auto with = [&](std::size_t place, const std::string& value) {
+    std::string text = head;
+    for (std::size_t i = 0; i < numbers.size(); ++i) text += (i > 0 ? " " : "") + (i == place ? value : numbers[i]);
+    return text + tail;
+  };
+  ASSERT_TRUE(run(with(9, numbers[9]), false).has_value());
+  const std::vector<std::pair<std::size_t, const char*>> changes = {
+      {9, "1"},   {9, "-2"},   {9, "1e12"}, {10, "3"}, {10, "-1"},   {11, "-1"},    {11, "1000"}, {12, "1e9"},
+      {14, "17"}, {15, "nan"}, {17, "1e9"}, {3, "2"},  {5, "1e300"}, {7, "999999"}, {13, "1e19"}, {18, "oak"}};
+  for (const auto& [place, value] : changes) {
+    const auto again = run(with(place, value), false);
+    ASSERT_FALSE(again.has_value()) << place << ' ' << value;
+    EXPECT_EQ(again.error().front().code, StatusCode::kInvalidInput);
+  }
+}
+
 TEST_F(ParquetJobTest, WhatComesAfterMatchingTakesNoMatching) {
   const auto first = run();
   ASSERT_TRUE(first.has_value());

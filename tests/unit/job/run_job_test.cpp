@@ -173,6 +173,29 @@ TEST_F(RunJobTest, StopsBeforeWritingToo) {
   EXPECT_EQ(failure({{"svg"}}, context).code, StatusCode::kCancelled);
 }
 
+// Before memory is taken: behind this drawing there is one pixel.
+TEST_F(RunJobTest, WhatWouldTakeAllMemoryIsRefused) {
+  const std::uint8_t pixel[3] = {0, 0, 0};
+  const auto problem = [&](const TechniqueParams& params, int side) {
+    const auto result = run_job({1, params, {}}, {{"drawing", {pixel, side, side, 3}}}, {{"png"}, false, 1},
+                                *make_cpu_rasterizer(), {});
+    return result ? Status{} : result.error().front();
+  };
+  pavement::Params pave;
+  pave.supersample = 4;
+  EXPECT_EQ(problem(pave, 10000).field, "supersample");
+  pave.supersample = 1;
+  pave.half_side = 1;
+  EXPECT_EQ(problem(pave, 10000).field, "halfSide");
+  patterns::Params pattern;
+  pattern.model = patterns::Model::kCheckerboard;
+  pattern.size = pattern.width = pattern.height = 65536;
+  const Status status = problem(pattern, 1);
+  EXPECT_EQ(status.code, StatusCode::kInvalidParameter);
+  EXPECT_EQ(status.field, "pngScale");
+  EXPECT_THAT(status.message, HasSubstr("65536 x 65536 px"));
+}
+
 TEST_F(RunJobTest, FaultsEndAsAStatus) {
   const std::vector<std::pair<std::function<Result<void>()>, const char*>> faults = {
       {[]() -> Result<void> { throw std::bad_alloc(); }, "out of memory"},

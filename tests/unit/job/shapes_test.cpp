@@ -103,7 +103,21 @@ TEST(Shapes, HostileFilesAreRefused) {
   EXPECT_THAT(message(svg("<path d='M0 0 10 0 10 10Z 5 5'/>")), HasSubstr("cannot be read"));
   EXPECT_THAT(message(svg("<path/>")), HasSubstr("cannot be read"));
   EXPECT_THAT(message(svg("<rect width='9' height='9'/>"), 1000), HasSubstr("3000 x 2000"));
+  EXPECT_THAT(message(svg("<rect width='9' height='9'/>"), 1000), HasSubstr("(--max-pixels)"));
   EXPECT_THAT(message(svg("<rect width='9' height='9'/></g>")), HasSubstr("well-formed"));
+}
+
+// Numbers that are finite each by themselves.
+TEST(Shapes, NothingLeadsToInfinity) {
+  std::string far;
+  for (int i = 0; i < 60; ++i) far += "matrix(1e6 0 0 1e6 1 1)";
+  const auto raster = read_shapes(svg("<path transform='" + far + "' d='M0 0h1v1z'/>"), kMost);
+  ASSERT_FALSE(raster.has_value());
+  EXPECT_THAT(raster.error().message, HasSubstr("too far"));
+  for (const std::string shape :
+       {"<path d='M0 1e6h9v9z'/>", "<path d='M0 -1e6h9v9z'/>", "<path transform='scale(1e6 1e6)' d='M1 1h9v9z'/>",
+        "<path d='M0 0A9 9 0 0 0 1e-200 1e-200z'/>", "<path d='M0 0a1e6 1e6 0 1 1 1e-9 0z'/>"})
+    EXPECT_LE(area_of(shape), 0) << shape;  // -1: a line is no area
 }
 
 TEST(Shapes, AnyTextIsReadWithoutHarm) {

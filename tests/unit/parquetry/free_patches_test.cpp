@@ -115,7 +115,7 @@ TEST(FreePatches, HostilePicturesMakeSoundPieces) {
       Params params = narrow_params();
       params.enclosed = enclosed;
       const cv::Mat3b picture = drawn(size, label);
-      const auto patches = patches_of(cv::Mat3b(size), view_of(picture), params, 1);
+      const auto patches = patches_of(cv::Mat3b(size), {view_of(picture)}, params, 1);
       ASSERT_TRUE(patches);
       expect_sound(*patches, size, params);
       for (const Patch& patch : *patches) EXPECT_TRUE(enclosed == Enclosed::kKeep || patch.outline.holes.empty());
@@ -131,7 +131,7 @@ TEST(FreePatches, RandomPicturesMakeSoundPieces) {
     const cv::Mat3b picture = seed % 2 == 0 ? cells(rng, coarse, 5 + seed) : blotches(rng, coarse, 2);
     Params params = narrow_params();
     params.min_width_mm = rng.uniform(2, 10);
-    const auto patches = patches_of(cv::Mat3b(size), view_of(picture), params, 1);
+    const auto patches = patches_of(cv::Mat3b(size), {view_of(picture)}, params, 1);
     if (coarse != size && !patches) continue;  // odd sides
     ASSERT_TRUE(patches);
     expect_sound(*patches, size, params);
@@ -143,7 +143,7 @@ TEST(FreePatches, WideRegionsStayAsTheyAre) {
   const cv::Mat3b picture = drawn(size, [](int x, int y) { return x / 30 + 4 * (y / 30); });
   Params params = narrow_params();
   params.thin_parts = ThinParts::kRefuse;
-  const auto patches = patches_of(cv::Mat3b(size), view_of(picture), params, 1);
+  const auto patches = patches_of(cv::Mat3b(size), {view_of(picture)}, params, 1);
   ASSERT_TRUE(patches);
   ASSERT_EQ(patches->size(), 12U);
   for (const Patch& patch : *patches) {
@@ -161,11 +161,11 @@ TEST(FreePatches, ARingKeepsItsHoleOrIsSplit) {
   });
   Params params = narrow_params();
   params.enclosed = Enclosed::kKeep;
-  const auto kept = patches_of(cv::Mat3b(size), view_of(picture), params, 1);
+  const auto kept = patches_of(cv::Mat3b(size), {view_of(picture)}, params, 1);
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->size(), 3U);
   params.enclosed = Enclosed::kSplit;
-  const auto split = patches_of(cv::Mat3b(size), view_of(picture), params, 1);
+  const auto split = patches_of(cv::Mat3b(size), {view_of(picture)}, params, 1);
   ASSERT_TRUE(split);
   EXPECT_EQ(split->size(), 5U);
 }
@@ -175,7 +175,7 @@ TEST(FreePatches, RefusedWithAllPlaces) {
   const cv::Mat3b picture = drawn(size, [](int x, int y) { return (x >= 50 && x < 53) + 2 * (y >= 80 && y < 84); });
   Params params = narrow_params();
   params.thin_parts = ThinParts::kRefuse;
-  const auto patches = patches_of(cv::Mat3b(size), view_of(picture), params, 0.5);
+  const auto patches = patches_of(cv::Mat3b(size), {view_of(picture)}, params, 0.5);
   ASSERT_FALSE(patches);
   EXPECT_EQ(patches.error().code, StatusCode::kInvalidInput);
   EXPECT_EQ(patches.error().field, "segmentation");
@@ -185,11 +185,11 @@ TEST(FreePatches, RefusedWithAllPlaces) {
 }
 
 TEST(FreePatches, OtherProportionsAndTooManyRegionsAreRefused) {
-  const auto wrong = patches_of(cv::Mat3b(90, 120), view_of(cv::Mat3b(90, 110)), narrow_params(), 1);
+  const auto wrong = patches_of(cv::Mat3b(90, 120), {view_of(cv::Mat3b(90, 110))}, narrow_params(), 1);
   ASSERT_FALSE(wrong);
   EXPECT_THAT(wrong.error().message, HasSubstr("110 x 90"));
   const cv::Mat3b noise = drawn({500, 500}, [](int x, int y) { return (x + y) % 2; });
-  const auto many = patches_of(cv::Mat3b(500, 500), view_of(noise), narrow_params(), 1);
+  const auto many = patches_of(cv::Mat3b(500, 500), {view_of(noise)}, narrow_params(), 1);
   ASSERT_FALSE(many);
   EXPECT_THAT(many.error().message, HasSubstr("250000 regions"));
 }
@@ -247,7 +247,7 @@ TEST(FreePatches, AreMatchedExactly) {
     cv::Mat3b picture = cells(rng, target.size(), 8);
     if (seed % 2 == 0) cv::circle(picture, {30, 25}, 12, {9, 9, 9}, -1);
     if (seed % 4 == 0) cv::circle(picture, {30, 25}, 4, {5, 5, 5}, -1);
-    const auto patches = patches_of(target, view_of(picture), params, 1);
+    const auto patches = patches_of(target, {view_of(picture)}, params, 1);
     ASSERT_TRUE(patches);
     Workshop workshop(panels, {target}, *patches, params);
     const SlowMatcher slow(panels, target, params);

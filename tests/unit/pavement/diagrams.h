@@ -17,7 +17,10 @@ struct Prepared {
 inline Prepared prepare(const cv::Mat3b& picture, const Params& params, std::uint64_t seed) {
   Prepared p{make_fields(view_of(picture), params), {}};
   const auto rasterizer = make_cpu_rasterizer();
-  p.diagram = relax_diagram(first_sites(p.fields, params, seed), p.fields, params, seed, *rasterizer, {}, {}).value();
+  Relaxed relaxed = relax_sites(first_sites(p.fields, params, seed), p.fields, noise_of(p.fields, params, seed), params,
+                                *rasterizer, {}, {})
+                        .value();
+  p.diagram = diagram_of(std::move(relaxed.sites), std::move(relaxed.labels), p.fields);
   return p;
 }
 

@@ -123,12 +123,15 @@ export interface RunOptions extends WatchOptions {
   onIteration?(iteration: Iteration): void;
   /** Of techniques that run for long, again and again: `state` tells what has been made so far, only during the callback. */
   onState?(state: () => string): void;
+  /** Of such techniques: whether to go on making the result better, asked again and again after all is there. */
+  goOnImproving?(): boolean;
 }
 
 export interface RunResult {
   backend: string; // that drew the last diagram: "cpu" or "gl"
   counts: Record<string, number>;
   metrics: Record<string, number>;
+  job: Job; // that makes the same again: the one that was run, but for how often it was improved
   retouched: boolean; // the PNG shows more than the pieces: noise, a filter
 }
 
@@ -192,6 +195,26 @@ export interface Fit {
   job: Job; // that makes more of the same, as large as the picture
 }
 
+/** A morphed grid of parquetry while people work on it. Vertices are counted from 0, places are mm of the finished piece. */
+export interface LiveGrid {
+  readonly across: number; // cells; there is one vertex more
+  readonly down: number;
+  readonly widthMm: number;
+  readonly heightMm: number;
+  /** x and y of each vertex, row by row. */
+  vertices(): Float64Array;
+  /** The picture's edges, and those of them that the job's edge-mask leaves: a byte a pixel, kLargeEdge, kFineEdge or both. */
+  edges(): { width: number; height: number; found: Uint8Array; counting: Uint8Array };
+  /** Relaxes by at most so many steps; how many there were: fewer where it has come to rest. */
+  step(most: number): number;
+  /** Draws a vertex towards a place in the steps that follow. */
+  drag(column: number, row: number, x: number, y: number): void;
+  /** Lets the vertex go: the parameter "pins" that holds it there, or as near as pieces allow. Then at rest as that job's. */
+  lay(): string;
+}
+export const kLargeEdge = 1;
+export const kFineEdge = 2;
+
 /**
  * The core in one thread: every call blocks until it is done, so a page puts it into a worker. Calls throw
  * TesseraError for what is wrong with a job, a picture or a format.
@@ -224,6 +247,10 @@ export interface Tessera {
   artifacts(format: string): Artifact[];
   /** What one of the technique's questions is answered with for the job and the pictures that were set: lines of text. */
   ask(question: string, job: Job, options?: RunOptions): string;
+  /** The job's morphed grid on the pictures that were set: even, about to relax. Only the last one begun may be used. */
+  beginGrid(job: Job): LiveGrid;
+  /** Closed shapes of an SVG as a label picture, a number each, as the command line takes them for a segmentation. */
+  paintShapes(svg: string): Picture;
   /** Statistics of a picture, or of the cells or points in a file's bytes: an SVG made here, GeoJSON, CSV. */
   measure(of: Picture | Uint8Array, options?: MeasureOptions): Measured;
   /** The model of random geometry that a picture of cells in a few colours looks like. */

@@ -9,6 +9,7 @@ import {
   type Iteration,
   type Job,
   type JobSchema,
+  type LiveGrid,
   type Measured,
   type MeasureOptions,
   type Picture,
@@ -33,12 +34,19 @@ interface CoreModule {
   setInput(role: string, rgba: Pixels, width: number, height: number, dpi: number): string;
   forgetInput(role: string): void;
   useGl(software: boolean): string;
-  run(job: string, backend: string, watcher: Watcher): string;
+  run(job: string, backend: string, improves: boolean, watcher: Watcher): string;
   preview(maxPixels: number, maxSites: number): Preview | null;
   state(): string | null;
   artifact(format: string): Artifact | string;
   artifacts(format: string): Artifact[] | string;
   ask(question: string, job: string, watcher: Watcher): string;
+  paintShapes(svg: string): Picture | string;
+  beginGrid(job: string): string;
+  gridVertices(): Float64Array;
+  gridEdges(): ReturnType<LiveGrid['edges']>;
+  stepGrid(most: number): number;
+  dragVertex(column: number, row: number, x: number, y: number): void;
+  layVertex(): string;
   measureFile(bytes: Uint8Array, options: string, watcher: Watcher): string;
   measurePixels(rgba: Pixels, width: number, height: number, options: string, watcher: Watcher): string;
   fit(rgba: Pixels, width: number, height: number, seed: number, watcher: Watcher): string;
@@ -58,6 +66,7 @@ interface Watcher {
   warning(message: string): void;
   iteration(index: number, last: number): void;
   state(): void;
+  goOn(): boolean;
 }
 
 type Variant = 'threads' | 'single';
@@ -156,6 +165,7 @@ const watcherOf = (
   warning: (message) => 'onWarning' in options && options.onWarning?.(message),
   iteration,
   state,
+  goOn: () => ('goOnImproving' in options && options.goOnImproving?.()) || false,
 });
 
 const softwareRenderers = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -212,7 +222,8 @@ class Core implements Tessera {
       (index, last) => options.onIteration?.(this.iteration(index, last)),
       () => options.onState?.(() => this.module.state() ?? ''),
     );
-    return answer<RunResult>(this.module.run(JSON.stringify(job), options.backend ?? 'auto', watcher));
+    const improves = options.goOnImproving !== undefined;
+    return answer<RunResult>(this.module.run(JSON.stringify(job), options.backend ?? 'auto', improves, watcher));
   }
 
   artifact(format: string): Artifact {
@@ -227,6 +238,26 @@ class Core implements Tessera {
 
   ask(question: string, job: Job, options: RunOptions = {}): string {
     return answer<{ answer: string }>(this.module.ask(question, JSON.stringify(job), watcherOf(options))).answer;
+  }
+
+  beginGrid(job: Job): LiveGrid {
+    const { module } = this;
+    const size = answer<Pick<LiveGrid, 'across' | 'down' | 'widthMm' | 'heightMm'>>(
+      module.beginGrid(JSON.stringify(job)),
+    );
+    return {
+      ...size,
+      vertices: () => module.gridVertices(),
+      edges: () => module.gridEdges(),
+      step: (most) => module.stepGrid(most),
+      drag: (column, row, x, y) => module.dragVertex(column, row, x, y),
+      lay: () => module.layVertex(),
+    };
+  }
+
+  paintShapes(svg: string): Picture {
+    const painted = this.module.paintShapes(svg);
+    return typeof painted === 'string' ? answer<Picture>(painted) : painted;
   }
 
   measure(of: Picture | Uint8Array, options: MeasureOptions = {}): Measured {

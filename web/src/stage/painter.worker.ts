@@ -66,6 +66,9 @@ scope.onmessage = ({ data }: MessageEvent<ToPainter>) => {
     case 'view':
       scene.view = data.view;
       break;
+    case 'extent':
+      scene.extent = data.extent;
+      break;
     case 'sheet':
       scene.lay(data.sheet);
       break;

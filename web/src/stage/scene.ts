@@ -16,6 +16,8 @@ export class Scene {
   ratio = 1;
   look: Look | null = null;
   pointer: Point | null = null;
+  /** How far pieces reach, px of the picture, where that is farther than itself. */
+  extent: Size | null = null;
 
   private sheet: Size | null = null;
   private compared: ImageBitmap | null = null; // with the sheet, and as large
@@ -36,7 +38,8 @@ export class Scene {
 
   /** What there is to look at, px: the picture, or without one the sheet. */
   private get area(): Size | null {
-    return this.sheet ? (this.stones?.drawing.size ?? this.sheet) : this.source;
+    if (this.sheet) return this.stones?.drawing.size ?? this.sheet;
+    return this.source && (this.extent ?? this.source);
   }
 
   /** Without a picture from now on, or on one again; a sheet of another size takes its pieces as they come. */
@@ -225,11 +228,14 @@ export class Scene {
   private drawSource(context: Context, alpha: number): void {
     const bitmap = this.sheet ? this.compared : this.source?.bitmap;
     if (!bitmap) return;
+    const { width, height } = this.area ?? { width: 1, height: 1 };
+    const own = this.sheet ? this.area : this.source;
+    const [across, down] = [(own?.width ?? 1) / width, (own?.height ?? 1) / height];
     this.overPicture(context, () => {
       context.globalAlpha = alpha;
       context.fillStyle = '#fff'; // what is transparent counts as white
-      context.fillRect(0, 0, 1, 1);
-      context.drawImage(bitmap, 0, 0, 1, 1);
+      context.fillRect(0, 0, across, down);
+      context.drawImage(bitmap, 0, 0, across, down);
     });
   }
 

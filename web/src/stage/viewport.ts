@@ -2,7 +2,8 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { painter } from '../state/page';
-import { compared, entry, inputRole, sheet, technique } from '../state/store';
+import { compared, entry, inputRole, shaping, sheet, technique } from '../state/store';
+import { extent } from '../state/targets';
 import { calm, shade } from '../state/theme';
 import { kLayers, type Layer, type Layers } from '../worker/protocol';
 import { fit, panBy, zoomAt, type Point, type Size, type View } from './view';
@@ -36,10 +37,13 @@ export const toggleLayer = (layer: Layer) =>
 const shownAtFirst = (shown: readonly Layer[]) =>
   Object.fromEntries(kLayers.map((layer) => [layer, shown.includes(layer)])) as Record<Layer, boolean>;
 
+/** What there is to look at, px of the picture. */
+const whole = computed(() => (inputRole.value && !shaping.value ? extent.value : sheet.value));
+
 function move(next: (picture: Size, stage: Size) => View): void {
-  if (!sheet.value) return;
+  if (!whole.value) return;
   fitted.value = false;
-  view.value = next(sheet.value, stageSize.value);
+  view.value = next(whole.value, stageSize.value);
 }
 
 export const pan = (dx: number, dy: number) => move((p, s) => panBy(view.value, dx, dy, p, s));
@@ -51,13 +55,14 @@ export const oneToOne = () => zoomCentre(1 / view.value.scale);
 /** Keeps the painter informed. */
 export function bindViewport(): void {
   effect(() => {
-    if (fitted.value && sheet.value) {
+    if (fitted.value && whole.value) {
       const margin = stageSize.value.width < 600 ? kMargin / 3 : kMargin;
-      view.value = fit(sheet.value, stageSize.value, margin);
+      view.value = fit(whole.value, stageSize.value, margin);
     }
   });
   effect(() => painter.postMessage({ type: 'view', view: view.value }));
   effect(() => painter.postMessage({ type: 'sheet', sheet: inputRole.value ? null : sheet.value }));
+  effect(() => painter.postMessage({ type: 'extent', extent: inputRole.value ? whole.value : null }));
   effect(() => {
     void shade.value; // the styles follow it
     const style = getComputedStyle(document.documentElement);
@@ -66,7 +71,7 @@ export function bindViewport(): void {
       type: 'look',
       look: {
         layers: layers.value,
-        divider: comparable.value ? divider.value : 0,
+        divider: shaping.value ? 1 : comparable.value ? divider.value : 0, // the picture itself, under a grid
         accent: colour('--accent'),
         line: colour('--line'),
         calm: calm.value,

@@ -81,3 +81,16 @@ test('the same drawing is made once, anew for another size or another drawing', 
   await drawnPictures({ ...drawn, guides: [line] }, { width: 180, height: 120 });
   expect(made.length).toBe(3);
 });
+
+test('edges count where nobody has painted; a file of shapes is as it is', async () => {
+  const edgeMask = [{ width: 9, colour: '#000000', points: line }];
+  const blob = new Blob(['shapes']);
+  const drawn: Drawn = { ...kNothingDrawn, edgeMask, shapes: { name: 'shapes.svg', blob } };
+  const pictures = await drawnPictures(drawn, size);
+  expect(pictures.map(({ role, name }) => [role, name])).toEqual([
+    ['segmentation', 'shapes.svg'],
+    ['edge-mask', 'edge-mask.png'],
+  ]);
+  expect(pictures[0]!.blob).toBe(blob);
+  expect(made).toEqual([{ width: 90, height: 60, fills: ['#ffffff'], strokes: ['#000000 9'] }]);
+});

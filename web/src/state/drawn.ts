@@ -1,7 +1,9 @@
-// What a job takes besides its picture: guide curves and regions of tile sizes, drawn over it; a picture of densities.
+// What a job takes besides its picture: guide curves, regions of tile sizes and which edges count, drawn over it; pictures
+// of densities or of pieces.
 
 import { smoothPath } from '../stage/curve';
 import type { Point, Size } from '../stage/view';
+import { kEdgeMask, kLabels } from '../worker/protocol';
 import { drawStroke, type Context2D, type Stroke } from './strokes';
 
 /** The points that a smooth curve goes through, px of the picture. */
@@ -20,18 +22,45 @@ export interface PanelFile {
   readonly sample: boolean;
 }
 
+export interface PictureFile {
+  readonly name: string;
+  readonly blob: Blob;
+}
+
 export interface Drawn {
   readonly guides: readonly Guide[];
   readonly regions: readonly Stroke[];
+  /** Which edges of the picture a morphed grid follows; all where it is not painted. */
+  readonly edgeMask: readonly Stroke[];
+  /** A file that says what the pieces are. */
+  readonly shapes: PictureFile | null;
   /** A file that tells where points are many. */
-  readonly density: { readonly name: string; readonly blob: Blob } | null;
+  readonly density: PictureFile | null;
+  /** More pictures that are made of the same wood. */
+  readonly targets: readonly PictureFile[];
   /** Of a technique that is made of wood, whatever the picture; null before anybody has chosen any. */
   readonly panels: readonly PanelFile[] | null;
 }
 
-export const kNothingDrawn: Drawn = { guides: [], regions: [], density: null, panels: null };
-export const isNothing = ({ guides, regions, density }: Drawn) =>
-  guides.length === 0 && regions.length === 0 && !density;
+export const kNothingDrawn: Drawn = {
+  guides: [],
+  regions: [],
+  edgeMask: [],
+  shapes: null,
+  density: null,
+  targets: [],
+  panels: null,
+};
+export const isNothing = ({ guides, regions, edgeMask, shapes, density }: Drawn) =>
+  guides.length + regions.length + edgeMask.length === 0 && !shapes && !density;
+
+/** Colours of the mask of edges, as core/parquetry/edge_picture.h reads them. */
+export const kEdgeInks = [
+  { title: 'No edges', hint: 'The grid follows no edges there', colour: '#000000' },
+  { title: 'Large', hint: 'Only large edges count there', colour: '#ff0000' },
+  { title: 'Fine', hint: 'Only fine edges count there', colour: '#0000ff' },
+  { title: 'All', hint: 'All edges count there, as everywhere else', colour: '#ffffff' },
+] as const;
 
 /** Colours of the parameter regionSizes as it is by default. */
 export const kRegions = [
@@ -43,6 +72,9 @@ const kUnpainted = kRegions[1].colour;
 export const kDensity = 'density'; // role and slot
 const kGuideWidth = 3; // px
 
+/** Role and slot of one more target: "target-2". */
+export const targetRole = (index: number): string => `target-${index + 2}`;
+
 /** A picture that was drawn. Its role in the job names its slot and, with .png, its file, where it has no name yet. */
 export interface DrawnPicture {
   role: string;
@@ -51,7 +83,7 @@ export interface DrawnPicture {
 }
 
 interface Sheet {
-  of: 'guides' | 'regions';
+  of: 'guides' | 'regions' | 'edgeMask';
   role: string;
   ground: string;
   draw(context: Context2D, drawn: Drawn): void;
@@ -64,6 +96,12 @@ const kSheets: readonly Sheet[] = [
     role: 'regions',
     ground: kUnpainted,
     draw: (context, { regions }) => regions.forEach((stroke) => drawStroke(context, stroke)),
+  },
+  {
+    of: 'edgeMask',
+    role: kEdgeMask,
+    ground: '#ffffff',
+    draw: (context, { edgeMask }) => edgeMask.forEach((stroke) => drawStroke(context, stroke)),
   },
 ];
 
@@ -78,7 +116,10 @@ const made = new Map<string, { from: unknown; size: string; picture: DrawnPictur
 
 /** Of the picture's size, none for what is empty. The same again for the same, so that it is sent once only. */
 export async function drawnPictures(drawn: Drawn, { width, height }: Size): Promise<DrawnPicture[]> {
-  const pictures: DrawnPicture[] = drawn.density ? [{ role: kDensity, ...drawn.density }] : [];
+  const pictures: DrawnPicture[] = [];
+  if (drawn.density) pictures.push({ role: kDensity, ...drawn.density });
+  if (drawn.shapes) pictures.push({ role: kLabels, ...drawn.shapes });
+  drawn.targets.forEach((target, i) => pictures.push({ role: targetRole(i), ...target }));
   for (const { of, role, ground, draw } of kSheets) {
     if (drawn[of].length === 0) continue;
     const size = `${width} ${height}`;

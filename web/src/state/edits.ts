@@ -5,7 +5,7 @@ import { sameParams, withValue, type Field, type Params } from './form';
 import { push, redo as redone, undo as undone } from './history';
 import { runSoon } from './runner';
 import { isNothing, kNothingDrawn, type Drawn, type PanelFile } from './drawn';
-import { edits, fields, kByLabels, kSegmenter, labels, problems, type Edits } from './store';
+import { edits, fields, kByLabels, kPins, kSegmenter, labels, problems, type Edits } from './store';
 
 /** The parameter that tells what people have corrected in the picture. */
 export const kCorrections = 'edits';
@@ -66,6 +66,11 @@ export function changeDensity(density: Drawn['density'], params: Params): void {
   if (change('', { drawn: { ...edits.value.present.drawn, density }, params })) runSoon();
 }
 
+/** A file that says what the pieces are, or none, with the parameters that go with it; as one step. */
+export function changeShapes(shapes: Drawn['shapes'], params: Params): void {
+  if (change('', { drawn: { ...edits.value.present.drawn, shapes }, params })) runSoon();
+}
+
 /** Panels of wood, with what is known of them in the parameter "panels"; `key` as above. */
 export function changePanels(panels: readonly PanelFile[], options: string, key = ''): void {
   const { drawn, params } = edits.value.present;
@@ -75,16 +80,16 @@ export function changePanels(panels: readonly PanelFile[], options: string, key 
   if (change(key, { drawn: same ? drawn : { ...drawn, panels }, params: next })) runSoon();
 }
 
-/** What was drawn belongs to the picture that it was drawn on; wood does not. Does not run. */
+/** What was drawn belongs to the picture that it was drawn on; wood and other targets do not. Does not run. */
 export function dropDrawn(): void {
   const { drawn } = edits.value.present;
-  if (!isNothing(drawn)) change('', { drawn: { ...kNothingDrawn, panels: drawn.panels } });
+  if (!isNothing(drawn)) change('', { drawn: { ...kNothingDrawn, panels: drawn.panels, targets: drawn.targets } });
 }
 
 /** The same of what was corrected in it, and of a label picture of it. Does not run. */
 export function dropCorrections(): void {
   labels.value = null;
-  const { [kCorrections]: corrections, ...others } = edits.value.present.params;
+  const { [kCorrections]: corrections, [kPins]: pins, ...others } = edits.value.present.params;
   const { [kSegmenter]: segmenter, ...params } = others;
   change('', { params: segmenter === kByLabels ? params : others });
 }

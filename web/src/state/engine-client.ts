@@ -5,9 +5,11 @@
 import type { Fit, Job, Measured, Problem, RunResult } from 'tessera-wasm';
 import EngineWorker from '../worker/engine.worker?worker';
 import type { Pieces } from '../worker/pieces';
+import { kLabels } from '../worker/protocol';
 import type {
   Asking,
   ColourCount,
+  Drag,
   EngineInfo,
   FromEngine,
   Graphics,
@@ -203,6 +205,7 @@ export class EngineClient {
       });
       if (this.state === 'broken') this.restart();
       else this.send({ type: 'picture', id, ...picture });
+      if (slot === kLabels && this.state === 'idle') void this.boot(); // which paints it, if need be
     });
   }
 
@@ -285,6 +288,35 @@ export class EngineClient {
   async answerTo(question: string, asking: Asking): Promise<string | null> {
     const answer = await this.perform({ type: 'ask', id: this.nextId++, question, asking }, { brief: true });
     return answer?.type === 'answer' ? answer.text : null;
+  }
+
+  /** The job's morphed grid, even or settled; null where that is not wanted any more. */
+  async beginGrid(asking: Asking, settled: boolean) {
+    const answer = await this.question({ type: 'grid', id: this.nextId++, asking, settled });
+    return answer.type === 'grid' || answer.type === 'problems' ? answer : null;
+  }
+
+  /** Steps of the grid that was begun last; null where the engine does not have it any more. */
+  async relaxGrid(steps: number, drag: Drag | null) {
+    const answer = await this.question({ type: 'relax', id: this.nextId++, steps, drag });
+    return answer.type === 'relaxed' ? answer : null;
+  }
+
+  /** Lets the vertex go that was dragged; null as above. */
+  async layVertex() {
+    const answer = await this.question({ type: 'lay', id: this.nextId++ });
+    return answer.type === 'lain' ? answer : null;
+  }
+
+  /** What is answered once, and waits its turn. */
+  private question(question: Question): Promise<Answer> {
+    return new Promise((resolve) => {
+      this.waiting.set(question.id, (answer) => {
+        this.waiting.delete(question.id);
+        resolve(answer);
+      });
+      this.ask(question);
+    });
   }
 
   /** The model that a picture looks like; null where that is not wanted any more. Rejects as setPicture() does. */

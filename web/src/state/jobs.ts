@@ -1,13 +1,15 @@
 // Opening a job, from JSON or from an SVG that Tessera made.
 
 import { entryOf } from '../techniques/index';
+import { targetRole } from './drawn';
 import { changeParams, dropDrawn } from './edits';
 import { differing } from './form';
+import { takesLabels } from './labels';
 import { client } from './page';
 import { panels } from './panels';
 import { sampleNamed, useSample } from './pictures';
 import { generate } from './runner';
-import { kLabels, kMask, kPanel, maskFileOf } from '../worker/protocol';
+import { kEdgeMask, kLabels, kMask, kPanel, maskFileOf } from '../worker/protocol';
 import { alerts, alertWith, drawn, entry, fields, inputRole, kSegmenter, labels, picture } from './store';
 import { switchTo } from './tabs';
 
@@ -21,7 +23,8 @@ export async function openJob(file: File): Promise<void> {
   if (!entryOf(answer.technique))
     return alertWith(`“${file.name}” is a job of ${answer.technique}, which is not there yet.`);
   switchTo(answer.technique);
-  const { [inputRole.value]: path, [kLabels]: labelPath, ...others } = answer.inputs;
+  const { [inputRole.value]: path, ...besides } = answer.inputs;
+  const { labelPath, others } = takesLabels() ? withoutLabels(besides) : { labelPath: undefined, others: besides };
   const labelsLost = labelPath !== undefined && nameOf(labelPath) !== labels.value?.name;
   const { [kSegmenter]: segmenter, ...params } = differing(fields.value, answer.params);
   changeParams(segmenter === undefined || labelsLost ? params : { ...params, [kSegmenter]: segmenter }, answer.seed);
@@ -50,6 +53,10 @@ export async function openJob(file: File): Promise<void> {
     );
 }
 
+function withoutLabels({ [kLabels]: labelPath, ...others }: Readonly<Record<string, string>>) {
+  return { labelPath, others };
+}
+
 /** Panels and their masks are no drawings. */
 function apart(inputs: Readonly<Record<string, string>>) {
   const isWood = (role: string) => role.startsWith(kPanel) || role.startsWith(kMask);
@@ -69,12 +76,15 @@ const haveWood = (file: string) =>
 
 /** Whether the job was made with what is drawn here now. */
 function sameDrawn(inputs: Readonly<Record<string, string>>): boolean {
-  const { edges, regions, density, ...others } = inputs;
-  const { guides, regions: strokes, density: file } = drawn.value;
+  const { edges, regions, density, [kEdgeMask]: mask, [kLabels]: labelPath, ...others } = inputs;
+  const { guides, regions: strokes, density: file, edgeMask, shapes, targets } = drawn.value;
   return (
-    !Object.keys(others).length &&
+    Object.keys(others).length === targets.length &&
+    targets.every(({ name }, i) => nameOf(others[targetRole(i)]) === name) &&
     Boolean(edges) === guides.length > 0 &&
     Boolean(regions) === strokes.length > 0 &&
+    Boolean(mask) === edgeMask.length > 0 &&
+    nameOf(labelPath) === shapes?.name &&
     nameOf(density) === file?.name
   );
 }

@@ -2,8 +2,8 @@
 
 import { kLabels } from '../worker/protocol';
 import { changeValues, endStep } from './edits';
-import { client } from './page';
 import { runSoon } from './runner';
+import { sendPicture } from './sent';
 import { alertWith, byLabels, entry, fields, known, kByLabels, kSegmenter, labels } from './store';
 
 export const takesLabels = () =>
@@ -14,12 +14,12 @@ export const takesLabels = () =>
 export async function useLabels(file: File): Promise<void> {
   const { name: technique } = entry.value;
   try {
-    await client.setPicture(kLabels, file.name, file);
+    await sendPicture(kLabels, file.name, file);
   } catch (error) {
     return alertWith(error instanceof Error ? error.message : String(error));
   }
   if (technique !== entry.value.name) return;
-  labels.value = { name: file.name };
+  labels.value = { name: file.name, blob: file };
   if (byLabels.value) return runSoon(); // another one
   changeValues({ [kSegmenter]: kByLabels });
   endStep();

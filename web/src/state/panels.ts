@@ -30,6 +30,9 @@ export const seenOf = ({ blob }: PanelFile): Seen | undefined => seen.value.get(
 /** Of the run that goes on: what has been laid, and what the forecast said before. */
 export const laid = signal<readonly WoodPiece[]>([]);
 export const forecast = signal('');
+/** Seconds in which a result is made better once it is there. */
+export const improveFor = signal(0);
+
 const options = () => String(params.value[kPanels] ?? '');
 export const dpiOf = ({ name }: PanelFile): string => readPanelOptions(options()).get(name)?.['dpi'] ?? '';
 

@@ -3,13 +3,24 @@
 import { batch } from '@preact/signals';
 import type { Job, Problem } from 'tessera-wasm';
 import { schema } from 'tessera-wasm/description';
-import { kLabels, kPicture } from '../worker/protocol';
+import { kEdgeMask, kLabels, kPicture, type Asking } from '../worker/protocol';
 import { drawnPictures, type DrawnPicture } from './drawn';
 import { endingOf, fileKinds } from './files';
 import type { Size } from '../stage/view';
 import { client } from './page';
-import { fetchPanels, forecast, kPanels, laid, ownOptions, panelPictures, panelScales, sendPanels } from './panels';
+import {
+  fetchPanels,
+  forecast,
+  improveFor,
+  kPanels,
+  laid,
+  ownOptions,
+  panelPictures,
+  panelScales,
+  sendPanels,
+} from './panels';
 import { reducedJob, reductionFor } from './reduce';
+import { sendPicture } from './sent';
 import {
   alerts,
   alertWith,
@@ -21,17 +32,22 @@ import {
   entry,
   fields,
   inputRole,
+  isMorphed,
   known,
+  kPins,
   labels,
   notice,
   opening,
   outcome,
+  params,
   picture,
   problems,
   run,
   seed,
+  shaping,
   sheet,
   technique,
+  tool,
   type FileLink,
 } from './store';
 
@@ -40,6 +56,7 @@ const kShort = 250; // ms; a run that needs no more comes to its end before the 
 
 let newest = 0;
 let timer = 0;
+let owed = false; // a run, once the grid is left
 
 /** Complete, so that it means the same where defaults are others. */
 function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
@@ -47,7 +64,7 @@ function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
     schemaVersion: 1,
     technique: technique.value,
     seed: seed.value,
-    params: { ...currentParams(), ...(entry.value.panels && { [kPanels]: ownOptions() }) },
+    params: { ...currentParams(), ...(entry.value.panels && woodParams()) },
     inputs: {
       ...(inputRole.value && picture.value && { [inputRole.value]: picture.value.name }),
       ...(byLabels.value && labels.value && { [kLabels]: labels.value.name }),
@@ -55,6 +72,9 @@ function currentJob(drawnOnes: readonly DrawnPicture[]): Job {
     },
   };
 }
+
+/** Of what there is: panels, and corners of a grid that has corners to lay. */
+const woodParams = () => ({ [kPanels]: ownOptions(), ...(!isMorphed(params.value) && { [kPins]: '' }) });
 
 /** From now on what is there counts as old; its files are not offered any more. */
 export function prepare(stage = ''): void {
@@ -74,15 +94,31 @@ const waits = () => opening.value && inputRole.value !== '';
  * once, as pieces come while a slider is dragged.
  */
 export function runSoon(): void {
+  if (shaping.value) {
+    owed = true;
+    return;
+  }
   if (waits()) return prepare('picture');
   prepare();
   timer = window.setTimeout(() => void start(true), inputRole.value ? kPause : 0);
 }
 
 export function generate(): void {
+  if (shaping.value) tool.value = null;
   if (waits()) return prepare('picture');
   prepare();
   void start(false);
+}
+
+/** Nothing runs from now on, until runOwed(). */
+export async function pause(): Promise<void> {
+  owed ||= run.value !== null;
+  await stop();
+}
+
+/** What there was no run for meanwhile. */
+export function runOwed(): void {
+  if (owed && !run.value) runSoon();
 }
 
 /** Stops what runs and what is about to; what was there before stays. */
@@ -100,6 +136,7 @@ export function cancel(): void {
 
 async function start(quick: boolean): Promise<void> {
   const mine = ++newest;
+  owed = false;
   if (quick && !inputRole.value) await client.settled(kShort); // else a drag would show none but its last
   if (mine !== newest) return;
   await client.cancel();
@@ -109,34 +146,40 @@ async function start(quick: boolean): Promise<void> {
     run.value = null;
     return;
   }
-  let drawnOnes: DrawnPicture[];
+  let asked: Awaited<ReturnType<typeof askingNow>>;
   try {
-    await fetchPanels();
-    await sendPanels();
-    drawnOnes = [...(await takeDrawn(size)), ...(await panelPictures())];
+    asked = await askingNow(size);
   } catch (error) {
     if (mine !== newest) return;
     run.value = null;
     return alertWith(error instanceof Error ? error.message : String(error));
   }
   if (mine !== newest) return;
-  const job = currentJob(drawnOnes);
+  const { job } = asked;
   const part =
     quick && inputRole.value && !entry.value.solid && !entry.value.panels ? reductionFor(size.width, size.height) : 1;
   if (part < 1 && !(await attempt(mine, reducedJob(job, schema, part), part, []))) return;
-  await attempt(mine, job, 1, drawnOnes);
+  await attempt(mine, job, 1, asked.drawnOnes);
 }
 
-const sent = new Map<string, Blob>(); // by slot
+/** The job as it is, with pictures that the engine has. Rejects with a message for people. */
+export async function askingNow(size: Size): Promise<Asking & { drawnOnes: DrawnPicture[] }> {
+  await fetchPanels();
+  await sendPanels();
+  if (byLabels.value && labels.value) await sendPicture(kLabels, labels.value.name, labels.value.blob);
+  const drawnOnes = [...(await takeDrawn(size)), ...(await panelPictures())];
+  const job = currentJob(drawnOnes);
+  return { job, inputs: inputsOf(job), drawnOnes };
+}
+
+const inputsOf = ({ inputs }: Job) =>
+  Object.fromEntries(Object.keys(inputs).map((role) => [role, role === inputRole.value ? kPicture : role]));
 
 /** What is drawn over the picture now, as pictures that the engine has. */
 async function takeDrawn(size: Size): Promise<DrawnPicture[]> {
-  const pictures = await drawnPictures(drawn.value, size);
-  for (const { role, name, blob } of pictures) {
-    if (sent.get(role) === blob) continue;
-    await client.setPicture(role, name, blob);
-    sent.set(role, blob);
-  }
+  const all = await drawnPictures(drawn.value, size);
+  const pictures = all.filter(({ role }) => role !== kEdgeMask || isMorphed(params.value));
+  for (const { role, name, blob } of pictures) await sendPicture(role, name, blob);
   return pictures;
 }
 
@@ -160,18 +203,17 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
   const formats = fileKinds.value
     .filter(({ format, onDemand }) => !onDemand && known.value?.formats.includes(format))
     .map(({ format }) => format);
-  const inputs = Object.fromEntries(
-    Object.keys(job.inputs).map((role) => [role, role === inputRole.value ? kPicture : role]),
-  );
   const baseName = baseNameOf(subjectOf(job), job.technique);
+  let done = job; // that makes the same again
   const end = await client.run(
     {
       job,
-      inputs,
+      inputs: inputsOf(job),
       backend: backend.value,
       scale,
       formats,
       pieces: entry.value.solid || entry.value.panels !== undefined,
+      improve: entry.value.panels ? improveFor.value : 0,
       panels: entry.value.panels ? panelScales() : null,
     },
     {
@@ -182,7 +224,7 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
       forecast: (text) => mine === newest && (forecast.value = text),
       laid: (pieces) => mine === newest && (laid.value = [...laid.value, ...pieces]),
       file: (format, blob) =>
-        outcome.value?.job === job && addFile(format, { blob, name: `${baseName}.${endingOf(format)}` }),
+        outcome.value?.job === done && addFile(format, { blob, name: `${baseName}.${endingOf(format)}` }),
     },
   );
   if (mine !== newest) return false;
@@ -191,8 +233,9 @@ async function attempt(mine: number, job: Job, scale: number, drawnOnes: readonl
     if (end.kind === 'done') {
       forgetFiles();
       const { kind, ...made } = end;
-      outcome.value = { job, reduced, ...made, files: {} };
-      if (!reduced) addFile('job', { blob: jobBlob(job), name: `${baseName}.${endingOf('job')}` });
+      done = { ...job, params: { ...job.params, ...made.result.job.params } };
+      outcome.value = { job: done, reduced, ...made, files: {} };
+      if (!reduced) addFile('job', { blob: jobBlob(done), name: `${baseName}.${endingOf('job')}` });
       for (const { role, ...file } of drawnOnes) addFile(role, file);
     } else if (end.kind === 'problems') {
       showProblems(end.problems);
@@ -244,7 +287,7 @@ function forgetFiles(): void {
   for (const { address } of Object.values(outcome.value?.files ?? {})) URL.revokeObjectURL(address);
 }
 
-function showProblems(found: readonly Problem[]): void {
+export function showProblems(found: readonly Problem[]): void {
   const told = found.filter((problem) => problem.code !== 'cancelled');
   const byField: Record<string, string> = {};
   for (const { code, field, message } of told) if (code === 'invalidParameter' && field) byField[field] = message;
@@ -259,7 +302,8 @@ function sentenceOf({ code, field, message }: Problem): string {
   if (title) return `${title} ${message}.`;
   const names: Readonly<Record<string, string | undefined>> = {
     [inputRole.value]: picture.value?.name ?? entry.value.title,
-    [kLabels]: labels.value?.name,
+    [kLabels]: drawn.value.shapes?.name ?? labels.value?.name,
+    [kEdgeMask]: 'The mask of edges',
   };
   const panel = entry.value.panels && field === 'panel' ? 'A panel of wood' : undefined;
   const what = panel ?? (names[field] ? `“${names[field]}”` : field);

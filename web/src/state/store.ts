@@ -10,7 +10,7 @@ import type { Size } from '../stage/view';
 import type { Backend, ColourCount, EngineInfo, Graphics, PieceFacts, Wood } from '../worker/protocol';
 import type { Pieces } from '../worker/pieces';
 import { fieldsOf, valueOf, type Params } from './form';
-import { kNothingDrawn, type Drawn } from './drawn';
+import { kNothingDrawn, type Drawn, type PictureFile } from './drawn';
 import { historyOf, type History } from './history';
 
 /** What undo and redo walk through. */
@@ -32,6 +32,9 @@ export interface PictureInfo extends Size {
 /** The parameter that says how pebbles are found, and its value for a label picture. */
 export const kSegmenter = 'segmenter';
 export const kByLabels = 'labels';
+
+/** The parameter that tells which corners of a grid people have laid on the picture. */
+export const kPins = 'pins';
 
 export interface Run {
   stage: string;
@@ -72,7 +75,7 @@ export const technique = signal(pavement.name);
 export const edits = signal<History<Edits>>(freshEdits());
 export const picture = signal<PictureInfo | null>(null);
 /** A label picture made elsewhere, which says where the pebbles of this picture are. */
-export const labels = signal<{ name: string } | null>(null);
+export const labels = signal<PictureFile | null>(null);
 /** The size of a sheet that has a picture to be compared with. */
 export const compared = signal<Size | null>(null);
 /** A picture is on its way; it runs as soon as it is there. */
@@ -88,6 +91,9 @@ export const backend = signal<Backend>('auto');
 export const piece = signal<PieceFacts | null>(null);
 /** What the pointer does on the stage instead of moving it. */
 export const tool = signal<Tool | null>(null);
+
+/** What is done on the stage is done to a grid that the engine relaxes meanwhile; nothing runs until it is left. */
+export const shaping = computed(() => tool.value === 'grid' || tool.value === 'edges');
 
 export const entry = computed(() => entryOf(technique.value) ?? pavement);
 export const params = computed(() => edits.value.present.params);
@@ -109,6 +115,12 @@ const sheetSize = computed<Size>(() => {
 });
 /** What lies on the stage, px: the picture, or where none is needed a sheet as large as the parameters say. */
 export const sheet = computed(() => (inputRole.value ? picture.value : sheetSize.value));
+
+/** The grid follows the picture. */
+export const isMorphed = (values: Params): boolean => values['grid'] === 'morphed';
+
+/** Whether the tools have anything to do: a grid has no corners to drag where the pieces come from elsewhere. */
+export const usesTools = computed(() => !drawn.value.shapes && (entry.value.usesTools?.(params.value) ?? true));
 
 /** Every parameter's value. */
 export const currentParams = (): Params =>

@@ -5,7 +5,7 @@ import { gridOf, pieceAt } from '../stage/grid';
 import type { Point } from '../stage/view';
 import type { WoodPiece } from '../worker/protocol';
 import { laid } from './panels';
-import { outcome, picture, piece, run } from './store';
+import { outcome, piece, run } from './store';
 
 const done = computed(() => (run.value ? null : (outcome.value?.wood ?? null)));
 const grid = computed(() => outcome.value?.pieces && gridOf(outcome.value.pieces));
@@ -29,7 +29,7 @@ export const shownPiece = computed(() =>
 export const choosePiece = (index: number) => (choice.value = { of: done.value, index });
 
 /** Of the finished picture's pixels, to one of the target. */
-export const pieceScale = computed(() => (outcome.value?.pieces?.height ?? 1) / (picture.value?.height ?? 1));
+export const pieceScale = computed(() => outcome.value?.wood?.scale ?? 1);
 
 export function chooseAt({ x, y }: Point): void {
   const { value: made } = outcome;

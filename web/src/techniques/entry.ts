@@ -13,7 +13,7 @@ export interface Sample {
 }
 
 /** What else than a file makes a picture, or is drawn over it; what the pointer does on the stage then. */
-export type PictureTool = 'sketch' | 'word' | 'guides' | 'regions';
+export type PictureTool = 'sketch' | 'word' | 'guides' | 'regions' | 'grid' | 'edges';
 export type Tool = PictureTool | PebbleTool;
 
 /** What corrects pebbles on their photo. */
@@ -36,6 +36,8 @@ export interface TechniqueEntry {
   pieces: string;
   /** Of those beside the picture's file. */
   tools: readonly PictureTool[];
+  /** Whether its tools have anything to do, as the parameters are; they do where this is missing. */
+  usesTools?(params: Params): boolean;
   /** What the stage can show of it, and what it shows at first. */
   layers: readonly Layer[];
   shown: readonly Layer[];

@@ -7,6 +7,7 @@ const number = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 
 function facts({ counts, metrics }: RunResult): string[] {
   const words = [counted(counts['pieces'] ?? 0, 'pieces')];
+  if (counts['targets']) words.push(counted(counts['targets'], 'targets'));
   const { wood_used: used, cost_per_px: cost, cut_mm: cut } = metrics;
   if (counts['missing']) words.push(`${number.format(counts['missing'])} without wood`);
   if (used !== undefined) words.push(`${percent.format(used)} of the wood`);
@@ -24,7 +25,8 @@ export const parquetry: TechniqueEntry = {
   sentence: 'A picture cut from real wood.',
   icon: ParquetryIcon,
   pieces: 'pieces',
-  tools: [],
+  tools: ['grid', 'edges'],
+  usesTools: ({ grid, posterize }) => grid === 'morphed' && !posterize,
   layers: ['source', 'outlines', 'stones'],
   shown: ['stones'],
   solid: false,
@@ -35,11 +37,12 @@ export const parquetry: TechniqueEntry = {
     { name: 'fruit', title: 'Fruit', file: 'fruit.png', params: kSmall },
   ],
   presets: [],
-  front: ['imageSizeMm', 'patchMm', 'rotations', 'order', 'kerfMm'],
+  front: ['imageSizeMm', 'patchMm', 'grid', 'rotations', 'order', 'kerfMm'],
   /** Set beside the panels themselves. */
   matters: (key) => key !== 'panels',
   stages: {
     panels: 'Looking at the wood',
+    patches: 'Cutting the picture up',
     features: 'Looking at its grain',
     matching: 'Choosing wood for each piece',
     improving: 'Exchanging wood',

@@ -1,10 +1,12 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { Brush, Grid2x2Check, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
+import { Brush, Grid2x2Check, Grid3x3, Images, ImageUp, Paintbrush, Spline, Type, X } from 'lucide-preact';
 import { leaveLabels, takesLabels, useLabels } from '../state/labels';
 import { usePicture, useSample } from '../state/pictures';
+import { leaveShapes, takesShapes, useShapes } from '../state/shapes';
 import { startSketch } from '../state/sketch';
-import { byLabels, entry, labels, picture, tool } from '../state/store';
+import { byLabels, drawn, entry, labels, picture, tool, usesTools } from '../state/store';
+import { addTargets, removeTarget, targets } from '../state/targets';
 import { useWord } from '../state/word';
 
 export const kPictureTypes = 'image/png,image/jpeg,image/webp,image/bmp,image/gif,image/tiff,.tif,.tiff';
@@ -15,14 +17,18 @@ export function PictureInput() {
   return (
     <section class="group" aria-labelledby="picture-title">
       <h2 id="picture-title">Picture</h2>
-      <div class="sources">
+      <div class="sources" data-wraps={entry.value.panels !== undefined}>
         <label class="source">
           <input type="file" class="unseen" accept={kPictureTypes} onChange={onFile} />
           <ImageUp size={20} aria-hidden />
           {entry.value.pictureTitle ?? 'Image'}
         </label>
-        {takesLabels() && <LabelsButton />}
-        {entry.value.tools.map((name) =>
+        {entry.value.panels && <TargetsButton />}
+        {takesLabels() && <LabelsButton hint={kPebblesHint} types={kPictureTypes} use={useLabels} />}
+        {takesShapes() && (
+          <LabelsButton hint={kShapesHint} types={`${kPictureTypes},image/svg+xml,.svg`} use={useShapes} />
+        )}
+        {(usesTools.value ? entry.value.tools : []).map((name) =>
           name === 'word' ? (
             <button
               type="button"
@@ -74,7 +80,18 @@ export function PictureInput() {
           </span>
         </p>
       )}
-      {takesLabels() && byLabels.value && labels.value && <LabelsName name={labels.value.name} />}
+      {entry.value.panels && <TargetList />}
+      {takesLabels() && byLabels.value && labels.value && (
+        <LabelsName
+          of="pebbles"
+          name={labels.value.name}
+          instead="Search for the pebbles instead"
+          leave={leaveLabels}
+        />
+      )}
+      {takesShapes() && drawn.value.shapes && (
+        <LabelsName of="pieces" name={drawn.value.shapes.name} instead="Lay a grid instead" leave={leaveShapes} />
+      )}
     </section>
   );
 }
@@ -83,6 +100,8 @@ const kTools = {
   sketch: { title: 'Draw', hint: 'Draw the picture with a brush', Icon: Brush },
   guides: { title: 'Curves', hint: 'Draw curves that the rows of tiles follow', Icon: Spline },
   regions: { title: 'Sizes', hint: 'Paint where tiles are large and where small', Icon: Paintbrush },
+  grid: { title: 'Corners', hint: 'Drag the corners of the grid to where you want them', Icon: Grid3x3 },
+  edges: { title: 'Edges', hint: 'Paint which edges of the picture the grid follows', Icon: Brush },
 };
 
 function ToolButton({ name }: { name: keyof typeof kTools }) {
@@ -102,20 +121,65 @@ function ToolButton({ name }: { name: keyof typeof kTools }) {
   );
 }
 
-/** Where the pebbles are, from another program, in place of the search. */
-function LabelsButton() {
+/** More pictures of the same wood. */
+function TargetsButton() {
   return (
-    <label
-      class="source"
-      title="A picture of the photo's size that says where the pebbles are: each number or colour one, black the ground"
-    >
+    <label class="source" title="More pictures to be made of the same wood, as large as the first">
       <input
         type="file"
+        multiple
         class="unseen"
         accept={kPictureTypes}
         onChange={({ currentTarget: input }) => {
+          void addTargets([...(input.files ?? [])]);
+          input.value = '';
+        }}
+      />
+      <Images size={20} aria-hidden />
+      More
+    </label>
+  );
+}
+
+function TargetList() {
+  return targets().map((target) => (
+    <p key={target.name} class="picture-name labels-name" title={target.name}>
+      <span>and</span> {target.name}
+      <button
+        type="button"
+        class="tool"
+        aria-label={`Remove ${target.name}`}
+        title={`Without ${target.name}`}
+        onClick={() => removeTarget(target)}
+      >
+        <X size={15} aria-hidden />
+      </button>
+    </p>
+  ));
+}
+
+const kPebblesHint =
+  "A picture of the photo's size that says where the pebbles are: each number or colour one, black the ground";
+const kShapesHint =
+  "The pieces' shapes: a picture of the target's proportions, a number or colour each, or an SVG of closed paths";
+
+interface LabelsProps {
+  hint: string;
+  types: string;
+  use(file: File): Promise<void>;
+}
+
+/** Where the pebbles, or the pieces, are, from another program. */
+function LabelsButton({ hint, types, use }: LabelsProps) {
+  return (
+    <label class="source" title={hint}>
+      <input
+        type="file"
+        class="unseen"
+        accept={types}
+        onChange={({ currentTarget: input }) => {
           const file = input.files?.[0];
-          if (file) void useLabels(file);
+          if (file) void use(file);
           input.value = '';
         }}
       />
@@ -125,17 +189,18 @@ function LabelsButton() {
   );
 }
 
-function LabelsName({ name }: { name: string }) {
+interface LabelsNameProps {
+  of: string;
+  name: string;
+  instead: string;
+  leave(): void;
+}
+
+function LabelsName({ of, name, instead, leave }: LabelsNameProps) {
   return (
     <p class="picture-name labels-name" title={name}>
-      <span>pebbles by</span> {name}
-      <button
-        type="button"
-        class="tool"
-        aria-label="Remove segmentation"
-        title="Search for the pebbles instead"
-        onClick={leaveLabels}
-      >
+      <span>{of} by</span> {name}
+      <button type="button" class="tool" aria-label="Remove segmentation" title={instead} onClick={leave}>
         <X size={15} aria-hidden />
       </button>
     </p>

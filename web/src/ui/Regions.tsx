@@ -5,13 +5,7 @@ import { drawn, fields, params, picture } from '../state/store';
 import { valueOf } from '../state/form';
 import { drawStroke } from '../state/strokes';
 import { BrushSheet } from './BrushSheet';
-import { BrushSizes, ToolEnds, ToolGap } from './ToolBar';
-
-const kBrushes = [
-  { title: 'Thin brush', width: 0.05 },
-  { title: 'Medium brush', width: 0.12 },
-  { title: 'Broad brush', width: 0.26 },
-]; // in parts of the picture's shorter side
+import { BrushSizes, kPictureBrushes, ToolEnds, ToolGap } from './ToolBar';
 
 /** How large the tiles are where a colour is, as the parameter says: "#0000ff=1.6 #00ff00=1". */
 function sizeOf(colour: string): string | undefined {
@@ -23,7 +17,7 @@ function sizeOf(colour: string): string | undefined {
 /** A brush that says where tiles are large and where small; what it leaves out is figure. */
 export function Regions() {
   const region = useSignal(kRegions.length - 1);
-  const brush = useSignal(kBrushes[1]!.width);
+  const brush = useSignal(kPictureBrushes[1].width);
   if (!picture.value) return null;
   const { width, height } = picture.value;
   const colour = kRegions[region.value]!.colour;
@@ -55,7 +49,7 @@ export function Regions() {
           </button>
         ))}
         <ToolGap />
-        <BrushSizes brushes={kBrushes} chosen={brush.value} choose={(part) => (brush.value = part)} />
+        <BrushSizes brushes={kPictureBrushes} chosen={brush.value} choose={(part) => (brush.value = part)} />
         <ToolEnds
           undoTitle="Undo"
           clearTitle="Clear all sizes"

@@ -11,6 +11,8 @@ import type { Tool } from '../techniques/entry';
 import { Divider } from './Divider';
 import { LayerSwitches } from './LayerSwitches';
 import { PieceLabel } from './PieceLabel';
+import { EdgesSheet } from './EdgesSheet';
+import { GridSheet } from './GridSheet';
 import { Guides } from './Guides';
 import { ChosenPebbles, onPebbleKey, PebbleSheet, PebbleTools } from './PebbleTools';
 import { Regions } from './Regions';
@@ -24,6 +26,8 @@ const kTools: Partial<Record<Tool, ComponentType>> = {
   sketch: Sketch,
   guides: Guides,
   regions: Regions,
+  grid: GridSheet,
+  edges: EdgesSheet,
   pick: PebbleSheet,
   split: PebbleSheet,
   add: PebbleSheet,

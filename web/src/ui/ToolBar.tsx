@@ -31,8 +31,20 @@ export const IconTool = ({ title, hint = title, Icon, on, off, act }: IconToolPr
   </button>
 );
 
+/** Widths in parts of the picture's shorter side. */
+export const kPictureBrushes: readonly [Brush, Brush, Brush] = [
+  { title: 'Thin brush', width: 0.05 },
+  { title: 'Medium brush', width: 0.12 },
+  { title: 'Broad brush', width: 0.26 },
+];
+
+interface Brush {
+  title: string;
+  width: number;
+}
+
 interface SizesProps {
-  brushes: readonly { title: string; width: number }[];
+  brushes: readonly Brush[];
   chosen: number;
   choose(width: number): void;
 }

@@ -6,6 +6,7 @@ import {
   dpiOf,
   dropMask,
   forecast,
+  improveFor,
   panels,
   remove,
   rename,
@@ -13,6 +14,7 @@ import {
   setDpi,
   setMask,
 } from '../state/panels';
+import { runSoon } from '../state/runner';
 import { kPictureTypes } from './PictureInput';
 
 /** The scans of wood that the picture is cut from, and whether they suffice. */
@@ -33,7 +35,38 @@ export function WoodInput() {
         ))}
       </ul>
       <Forecast />
+      <Improve />
     </section>
+  );
+}
+
+const kMostSeconds = 3600;
+
+/** How long a finished result is made better. */
+function Improve() {
+  return (
+    <label
+      class="improve"
+      title="Once all pieces have wood they are laid again, and exchange their wood, for so long"
+    >
+      Improve for
+      <input
+        type="number"
+        inputMode="numeric"
+        min={0}
+        max={kMostSeconds}
+        step="any"
+        value={improveFor.value}
+        onChange={({ currentTarget: input }) => {
+          const seconds = Math.min(kMostSeconds, Math.max(0, Number(input.value) || 0));
+          input.value = String(seconds);
+          if (seconds === improveFor.value) return;
+          improveFor.value = seconds;
+          runSoon();
+        }}
+      />
+      <span class="unit">s</span>
+    </label>
   );
 }
 

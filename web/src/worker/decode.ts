@@ -72,7 +72,11 @@ async function openTiff(bytes: Uint8Array, name: string): Promise<Opened> {
   return openPixels(new Uint8ClampedArray(data), width, height);
 }
 
-async function openPixels(data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number): Promise<Opened> {
+export async function openPixels(
+  data: Uint8ClampedArray<ArrayBuffer>,
+  width: number,
+  height: number,
+): Promise<Opened> {
   const image = new ImageData(data, width, height);
   return { width, height, dpi: 0, bitmap: await toLookAt(image, width, height), pixels: () => image };
 }

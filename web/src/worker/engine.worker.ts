@@ -6,15 +6,19 @@ import {
   type Artifact,
   type Iteration,
   type Job,
+  type LiveGrid,
   type Picture,
   type Problem,
   type RunResult,
   type Tessera,
 } from 'tessera-wasm';
-import { open, PictureError, scaled, toLookAt, type Opened } from './decode';
+import { open, openPixels, PictureError, scaled, toLookAt, type Opened } from './decode';
+import { paintEdges } from './edges';
 import { Growing, matchingDpi } from './growing';
 import { countColours, noPieces, parsePieces, transferable, type Pieces } from './pieces';
 import {
+  kEdgeMask,
+  kEdgeMaskFile,
   kLabels,
   kMask,
   kPanel,
@@ -39,6 +43,7 @@ const kManyPieces = 50_000;
 const kSmallPiece = 3; // px²
 const kPanelSide = 1400; // px of a panel's picture on the page
 const kGrowingPause = 80; // ms
+const kManySteps = 50;
 const kNoGround = '#96928a';
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
 
@@ -47,7 +52,8 @@ let painter: MessagePort | undefined;
 let newest = 0; // request; an older one makes no more files
 let pictureTaken = Promise.resolve(); // one after the other: the newest is the one that stays
 const pictures = new Map<string, Held>(); // by slot
-let roles: readonly string[] = []; // that the engine has pictures of
+const given = new Map<string, Picture>(); // that the engine has copies of, by role
+let grid: LiveGrid | undefined; // that is worked on
 
 interface Held {
   blob: Blob;
@@ -83,13 +89,23 @@ function lookForGraphics(tessera: Tessera, wanted: boolean): void {
   tell({ type: 'graphics', graphics });
 }
 
+let engineUp: (tessera: Tessera) => void;
+let engineFailed: (reason: unknown) => void;
+const comingEngine = new Promise<Tessera>((resolve, reject) => {
+  engineUp = resolve;
+  engineFailed = reject;
+});
+comingEngine.catch(() => {}); // told as 'broken'
+
 async function boot({ base, threads, wasm, graphics: known }: ToEngine & { type: 'boot' }): Promise<void> {
   graphics = known;
   try {
     engine = await createTessera({ threads, wasm, locateFile: (name) => new URL(`engine/${name}`, base).href });
     const { version, stopFlag } = engine;
     tell({ type: 'ready', info: { version, threads: engine.threads }, stopFlag });
+    engineUp(engine);
   } catch (error) {
+    engineFailed(error);
     tell({ type: 'broken', message: problemsOf(error)[0]?.message ?? '' });
   }
 }
@@ -98,7 +114,8 @@ const kindIn = (slot: string) => (slot === kLabels ? 'numbers' : slot.startsWith
 
 async function takePicture({ id, slot, name, blob }: ToEngine & { type: 'picture' }): Promise<void> {
   try {
-    const opened = await open(blob, name, kindIn(slot));
+    const shapes = slot === kLabels && (await isMarkup(blob));
+    const opened = shapes ? await openShapes(blob) : await open(blob, name, kindIn(slot));
     pictures.set(slot, { blob, opened });
     const { bitmap, width, height, dpi } = opened;
     const panel = slot.startsWith(kPanel) ? { dpi, small: await smallOf(bitmap, width, height) } : null;
@@ -106,9 +123,22 @@ async function takePicture({ id, slot, name, blob }: ToEngine & { type: 'picture
     else bitmap.close();
     tell({ type: 'picture', id, width, height, panel });
   } catch (error) {
-    const message = error instanceof PictureError ? error.message : `“${name}” cannot be read. Choose another file.`;
-    tell({ type: 'refused', id, message });
+    tell({ type: 'refused', id, message: whyNot(error, name) });
   }
+}
+
+function whyNot(error: unknown, name: string): string {
+  if (error instanceof PictureError) return error.message;
+  if (error instanceof TesseraError) return `“${name}” ${error.problems[0]?.message ?? 'cannot be read'}.`;
+  return `“${name}” cannot be read. Choose another file.`;
+}
+
+const isMarkup = async (blob: Blob) => /^\s*</.test(await blob.slice(0, 100).text());
+
+/** An SVG of closed shapes, painted by the engine, so that pieces are the command line's. */
+async function openShapes(blob: Blob): Promise<Opened> {
+  const { data, width, height } = (await comingEngine).paintShapes(await blob.text());
+  return openPixels(new Uint8ClampedArray(data), width, height);
 }
 
 /** For the page, which cannot show every kind of file by itself. */
@@ -122,8 +152,11 @@ async function smallOf(bitmap: ImageBitmap, width: number, height: number): Prom
 
 /** The engine's copy of each picture of the job, whole or reduced as this run wants it; none of any other. */
 async function setInputs(tessera: Tessera, { inputs }: Asking, scale: number): Promise<void> {
-  for (const role of roles) if (!(role in inputs)) tessera.setInput(role, null);
-  roles = Object.keys(inputs);
+  for (const role of given.keys()) {
+    if (role in inputs) continue;
+    tessera.setInput(role, null);
+    given.delete(role);
+  }
   for (const [role, slot] of Object.entries(inputs)) {
     const held = pictures.get(slot);
     if (!held) continue;
@@ -131,10 +164,10 @@ async function setInputs(tessera: Tessera, { inputs }: Asking, scale: number): P
     if (scale < 1 && held.reduced?.scale !== scale) {
       held.reduced = { scale, picture: await scaled(held.whole, scale) };
     }
-    tessera.setInput(
-      role,
-      scale < 1 ? (held.reduced?.picture ?? null) : { ...pixelsIn(held.whole), dpi: held.opened.dpi },
-    );
+    const picture = scale < 1 ? held.reduced?.picture : held.whole;
+    if (!picture || given.get(role) === picture) continue;
+    tessera.setInput(role, { ...pixelsIn(picture), dpi: scale < 1 ? 0 : held.opened.dpi });
+    given.set(role, picture);
   }
 }
 
@@ -150,6 +183,34 @@ async function ask({ id, question, asking }: ToEngine & { type: 'ask' }): Promis
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }
+}
+
+async function beginGrid({ id, asking, settled }: ToEngine & { type: 'grid' }): Promise<void> {
+  await pictureTaken;
+  try {
+    if (!engine) return;
+    await setInputs(engine, asking, 1);
+    grid = engine.beginGrid(asking.job);
+    if (settled) while (grid.step(kManySteps) > 0) continue;
+    const { across, down, widthMm, heightMm } = grid;
+    const size = { across, down, widthMm, heightMm };
+    tell({ type: 'grid', id, size, vertices: grid.vertices(), edges: paintEdges(grid.edges()) });
+  } catch (error) {
+    tell({ type: 'problems', id, problems: [...problemsOf(error)] });
+  }
+}
+
+function relax({ id, steps, drag }: ToEngine & { type: 'relax' }): void {
+  if (!grid) return tell({ type: 'refused', id, message: '' });
+  if (drag) grid.drag(drag.column, drag.row, drag.x, drag.y);
+  const done = grid.step(steps);
+  tell({ type: 'relaxed', id, vertices: grid.vertices(), steps: done });
+}
+
+function lay({ id }: ToEngine & { type: 'lay' }): void {
+  if (!grid) return tell({ type: 'refused', id, message: '' });
+  const pins = grid.lay();
+  tell({ type: 'lain', id, vertices: grid.vertices(), pins });
 }
 
 async function run(id: number, request: RunRequest): Promise<void> {
@@ -172,6 +233,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
       onProgress: (fraction) => tell({ type: 'progress', id, fraction }),
       onWarning: (message) => tell({ type: 'warning', id, message }),
       onIteration: previewer(id, request.scale),
+      ...(request.improve > 0 && { goOnImproving: patience(request.improve) }),
       ...grower(id, request),
     });
     const milliseconds = performance.now() - begin;
@@ -193,7 +255,7 @@ async function run(id: number, request: RunRequest): Promise<void> {
     });
     const seamless = request.job.params['seamless'] === true;
     show(
-      { type: 'pieces', id, pieces, ground, scale: folder?.scale ?? request.scale, seamless, face },
+      { type: 'pieces', id, pieces, ground, scale: folder?.wood.scale ?? request.scale, seamless, face },
       face ? [...transferable(pieces), face] : transferable(pieces),
     );
     const formats = noise ? ['png'] : request.formats;
@@ -204,6 +266,12 @@ async function run(id: number, request: RunRequest): Promise<void> {
   } catch (error) {
     tell({ type: 'problems', id, problems: [...problemsOf(error)] });
   }
+}
+
+/** True for so many seconds from the first time that it is asked. */
+function patience(seconds: number): () => boolean {
+  let end = 0;
+  return () => performance.now() < (end ||= performance.now() + 1000 * seconds);
 }
 
 /** How long each stage took. */
@@ -238,9 +306,13 @@ const dpisOf = (panels: NonNullable<RunRequest['panels']>) =>
   panels.map(({ name, dpi }) => ({ dpi: dpi || dpiIn(kPanel + name) }));
 
 /** Shows a parquetry piece by piece, some frames a second. */
-function grower(id: number, { job, panels }: RunRequest): { onState?(state: () => string): void } {
-  const target = pictures.get(kPicture)?.opened;
-  if (!panels || !target) return {};
+function grower(id: number, { job, inputs, panels }: RunRequest): { onState?(state: () => string): void } {
+  if (!panels) return {};
+  const targets = Object.entries(inputs)
+    .filter(([role]) => /^target(-|$)/.test(role))
+    .sort(([a], [b]) => a.length - b.length || (a < b ? -1 : 1))
+    .flatMap(([, slot]) => pictures.get(slot)?.opened ?? []);
+  if (!targets.length) return {};
   const scans = [...panels]
     .sort((a, b) => (a.name < b.name ? -1 : 1))
     .flatMap(({ name, dpi }) => {
@@ -248,7 +320,7 @@ function grower(id: number, { job, panels }: RunRequest): { onState?(state: () =
       return held?.whole ? { name, dpi: dpi || held.opened.dpi, picture: held.whole } : [];
     });
   const number = (key: string) => Number(job.params[key]);
-  const growing = new Growing(scans, target, number('imageSizeMm'), number('resolutionDpi'), number('copies'));
+  const growing = new Growing(scans, targets, number('imageSizeMm'), number('resolutionDpi'), number('copies'));
   let shown = -Infinity;
   return {
     onState: (state) => {
@@ -266,8 +338,6 @@ interface Folder {
   files: readonly Artifact[];
   preview: ImageBitmap | null;
   wood: Wood;
-  /** Of its pixels, to one of the target. */
-  scale: number;
 }
 
 async function openFolder(tessera: Tessera, { job, panels }: RunRequest, pieces: Pieces): Promise<Folder> {
@@ -275,29 +345,28 @@ async function openFolder(tessera: Tessera, { job, panels }: RunRequest, pieces:
   const preview = await previewOf(files);
   const mmPerPx = 25.4 / matchingDpi(dpisOf(panels ?? []), Number(job.params['resolutionDpi']));
   const names = (panels ?? []).map(({ name }) => name);
-  return {
-    files,
-    preview,
-    wood: await woodOf(files, pieces, mmPerPx, names),
-    scale: pieces.height / (pictures.get(kPicture)?.opened.height ?? pieces.height),
-  };
+  const height = preview?.firstHeight ?? pieces.height;
+  const scale = height / (pictures.get(kPicture)?.opened.height ?? height);
+  return { files, preview: preview?.all ?? null, wood: await woodOf(files, pieces, mmPerPx, names, scale) };
 }
 
 async function zipOfRun(
   tessera: Tessera,
-  { job, inputs }: RunRequest,
+  { inputs }: RunRequest,
   result: RunResult,
   stages: ReturnType<ReturnType<typeof stageClock>['end']>,
   files: readonly Artifact[],
 ): Promise<Blob> {
+  const { job } = result;
   const masks: Record<string, Uint8Array> = {};
   const read = await Promise.all(
     Object.entries(inputs).map(async ([role, slot]) => {
       const held = pictures.get(slot);
       const { width = 0, height = 0 } = held?.opened ?? {};
       const bytes = await held?.blob.arrayBuffer();
-      const name = maskFileOf(role.slice(kMask.length));
-      if (bytes && role.startsWith(kMask) && job.inputs[role] === name) masks[name] = new Uint8Array(bytes);
+      const name = role === kEdgeMask ? kEdgeMaskFile : maskFileOf(role.slice(kMask.length));
+      const isMask = role === kEdgeMask || role.startsWith(kMask);
+      if (bytes && isMask && job.inputs[role] === name) masks[name] = new Uint8Array(bytes);
       return { path: job.inputs[role] ?? '', width, height, ...(bytes && (await checksum(bytes))) };
     }),
   );
@@ -406,6 +475,12 @@ scope.onmessage = ({ data }: MessageEvent<ToEngine>) => {
       return void run(data.id, data.request);
     case 'ask':
       return void ask(data);
+    case 'grid':
+      return void beginGrid(data);
+    case 'relax':
+      return relax(data);
+    case 'lay':
+      return lay(data);
     case 'file':
       return makeFile(data);
     case 'read':

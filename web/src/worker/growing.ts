@@ -89,29 +89,34 @@ export function matchingDpi(panels: readonly { dpi: number }[], wanted: number):
   return Math.min(kFinestDpi, ...panels.map(({ dpi }) => dpi || kUnknownDpi));
 }
 
+interface Size {
+  width: number;
+  height: number;
+}
+
 export class Growing {
   private readonly canvas: OffscreenCanvas;
   private readonly panels: { name: string; scan: OffscreenCanvas; perScan: number }[];
   private readonly dpi: number;
   private readonly scale: number;
-  private readonly width: number; // of a target, px
+  private readonly lefts: number[] = []; // of targets, px
   private seen = 0;
 
-  /** `panels` in the order of their names; `target`: its size, `sizeMm` its shorter side. */
-  constructor(
-    panels: readonly GrowingPanel[],
-    target: { width: number; height: number },
-    sizeMm: number,
-    dpi: number,
-    private readonly copies = 1,
-  ) {
+  /** `panels` in the order of their names; `targets`: their sizes, `sizeMm` their shorter sides. */
+  constructor(panels: readonly GrowingPanel[], targets: readonly Size[], sizeMm: number, dpi: number, copies = 1) {
     this.dpi = matchingDpi(panels, dpi);
-    const perPx = ((sizeMm / kInchMm) * this.dpi) / Math.min(target.width, target.height);
-    const [width, height] = [target.width * perPx, target.height * perPx];
-    this.width = Math.round(width);
-    this.scale = Math.min(1, kMaxSide / Math.max(copies * width, height));
+    let width = 0;
+    let height = 0;
+    for (let copy = 0; copy < copies; ++copy)
+      for (const target of targets) {
+        const perPx = ((sizeMm / kInchMm) * this.dpi) / Math.min(target.width, target.height);
+        this.lefts.push(width);
+        width += Math.round(target.width * perPx);
+        height = Math.max(height, target.height * perPx);
+      }
+    this.scale = Math.min(1, kMaxSide / Math.max(width, height));
     this.canvas = new OffscreenCanvas(
-      Math.max(1, Math.round(copies * this.width * this.scale)),
+      Math.max(1, Math.round(width * this.scale)),
       Math.max(1, Math.round(height * this.scale)),
     );
     this.panels = panels.map(({ name, dpi: own, picture }) => ({
@@ -132,7 +137,7 @@ export class Growing {
       if (!panel || !context) return [];
       this.draw(context, panel, one);
       return {
-        id: (this.copies > 1 ? `${one.target + 1}-` : '') + nameOf(one.row, one.column),
+        id: (this.lefts.length > 1 ? `${one.target + 1}-` : '') + nameOf(one.row, one.column),
         row: one.row + 1,
         column: one.column + 1,
         panel: panel.name,
@@ -151,7 +156,7 @@ export class Growing {
     const reach = Math.hypot(width, height) / 2 + 1;
     context.save();
     context.scale(this.scale, this.scale);
-    context.translate(target * this.width, 0); // side by side
+    context.translate(this.lefts[target] ?? 0, 0); // side by side
     context.beginPath();
     context.rect(x, y, width, height);
     context.clip();

@@ -1,6 +1,6 @@
 // What the page, the engine's worker and the painter's worker say to each other.
 
-import type { Fit, Job, Measured, Preview, Problem, RunResult } from 'tessera-wasm';
+import type { Fit, Job, LiveGrid, Measured, Preview, Problem, RunResult } from 'tessera-wasm';
 import type { Point, Size, View } from '../stage/view';
 import type { Pieces } from './pieces';
 
@@ -26,12 +26,16 @@ export interface EngineInfo {
 /** Where the worker keeps the picture that is on the stage; other slots have pictures that were drawn over it. */
 export const kPicture = 'picture';
 
-/** The role, and the slot, of a label picture: its pixels are numbers, not colours. */
+/** The role, and the slot, of a label picture: its pixels are numbers, not colours. An SVG of closed shapes is painted as one. */
 export const kLabels = 'segmentation';
 
 /** Roles, and slots, of scans of wood and of their masks are these with a name: "panel-oak". */
 export const kPanel = 'panel-';
 export const kMask = 'mask-';
+
+/** The role, and the slot, of the mask that says which edges a morphed grid follows; and its file. */
+export const kEdgeMask = 'edge-mask';
+export const kEdgeMaskFile = `${kEdgeMask}.png`;
 
 /** The file of a mask that was corrected on the page. */
 export const maskFileOf = (panel: string): string => `${panel}-mask.png`;
@@ -73,6 +77,8 @@ export interface Wood {
   pieces: WoodPiece[];
   panels: PanelPicture[];
   assembly: Blob;
+  /** Pixels of the run's pieces to one of the first target's. */
+  scale: number;
 }
 
 /** What is asked of the engine about a job and its pictures. */
@@ -80,6 +86,16 @@ export interface Asking {
   job: Job;
   /** As a run's. */
   inputs: Readonly<Record<string, string>>;
+}
+
+export type GridSize = Pick<LiveGrid, 'across' | 'down' | 'widthMm' | 'heightMm'>;
+
+/** A vertex of a grid, and a place, mm. */
+export interface Drag {
+  column: number;
+  row: number;
+  x: number;
+  y: number;
 }
 
 export interface RunRequest {
@@ -93,6 +109,8 @@ export interface RunRequest {
   formats: string[];
   /** The page wants the pieces, too. */
   pieces: boolean;
+  /** Seconds in which it is made better once it is there; 0: as the job says. */
+  improve: number;
   /** Of a technique that is made of wood: its panels. */
   panels: readonly PanelScale[] | null;
 }
@@ -107,6 +125,12 @@ export type ToEngine =
   | { type: 'picture'; id: number; slot: string; name: string; blob: Blob }
   | { type: 'run'; id: number; request: RunRequest }
   | { type: 'ask'; id: number; question: string; asking: Asking }
+  /** The job's morphed grid, to be worked on: even, or `settled`. */
+  | { type: 'grid'; id: number; asking: Asking; settled: boolean }
+  /** So many steps of that, with a vertex drawn to a place. */
+  | { type: 'relax'; id: number; steps: number; drag: Drag | null }
+  /** That vertex is let go. */
+  | { type: 'lay'; id: number }
   /** One more file of a run that is done. */
   | { type: 'file'; id: number; run: number; format: string }
   | { type: 'read'; id: number; text: string }
@@ -125,6 +149,12 @@ export type FromEngine =
   /** Pieces of wood that have been laid since the last time. */
   | { type: 'laid'; id: number; pieces: WoodPiece[] }
   | { type: 'answer'; id: number; text: string }
+  /** Vertices are x and y of each, mm, row by row. */
+  | { type: 'grid'; id: number; size: GridSize; vertices: Float64Array; edges: ImageBitmap }
+  /** `steps`: how many there were; none where it was at rest. */
+  | { type: 'relaxed'; id: number; vertices: Float64Array; steps: number }
+  /** `pins`: the parameter. */
+  | { type: 'lain'; id: number; vertices: Float64Array; pins: string }
   | { type: 'refused'; id: number; message: string }
   | { type: 'stage'; id: number; stage: string }
   | { type: 'progress'; id: number; fraction: number }
@@ -190,6 +220,8 @@ export type ToPainter =
   | { type: 'view'; view: View }
   /** There is no picture: pieces lie on a sheet of this size. Null: on the picture. */
   | { type: 'sheet'; sheet: Size | null }
+  /** Pieces go beyond the picture: so far, px of it. Null: they do not. */
+  | { type: 'extent'; extent: Size | null }
   | { type: 'look'; look: Look }
   | { type: 'point'; at: Point | null }
   /** Forget runs up to this one that have not come to an end. */

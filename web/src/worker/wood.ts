@@ -70,14 +70,19 @@ export async function reportOf(
   };
 }
 
-/** All finished pieces side by side, as the engine's sheet has them; null where there is none. */
-export async function previewOf(files: readonly Artifact[]): Promise<ImageBitmap | null> {
+/** All finished pieces side by side, as the engine's sheet has them, and how high the first is; null where there is none. */
+export async function previewOf(
+  files: readonly Artifact[],
+): Promise<{ all: ImageBitmap; firstHeight: number } | null> {
   const pictures = await Promise.all(
     files
       .filter(({ name }) => /^folder\/preview(-\d+)?\.png$/.test(name))
       .map((file) => createImageBitmap(blobOf(file))),
   );
-  if (pictures.length < 2) return pictures[0] ?? null;
+  const [first] = pictures;
+  if (!first) return null;
+  const firstHeight = first.height;
+  if (pictures.length < 2) return { all: first, firstHeight };
   const width = pictures.reduce((sum, picture) => sum + picture.width, 0);
   const canvas = new OffscreenCanvas(width, Math.max(...pictures.map(({ height }) => height)));
   let x = 0;
@@ -86,7 +91,7 @@ export async function previewOf(files: readonly Artifact[]): Promise<ImageBitmap
     x += picture.width;
     picture.close();
   }
-  return canvas.transferToImageBitmap();
+  return { all: canvas.transferToImageBitmap(), firstHeight };
 }
 
 /** The names in a cut file, whose paths are in the order they are cut. */
@@ -156,6 +161,7 @@ export async function woodOf(
   pieces: Pieces,
   mmPerPx: number,
   panels: readonly string[],
+  scale: number,
 ): Promise<Wood> {
   const csv = new TextDecoder().decode(fileOf(files, 'pieces.csv')?.bytes);
   const assembly = fileOf(files, 'assembly.svg');
@@ -175,5 +181,6 @@ export async function woodOf(
     pieces: woodPieces(csv, pieces, mmPerPx),
     panels: pictures.filter((picture) => picture !== null),
     assembly: assembly ? blobOf(assembly) : new Blob(),
+    scale,
   };
 }
