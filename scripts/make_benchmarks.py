@@ -46,6 +46,10 @@ def shown_number(number):
     return f'{number:.0f}' if abs(number) >= 1000 or number == round(number) else f'{number:.3g}'
 
 
+def name_of(result):
+    return result['run_name'].split('/')[0]
+
+
 def row(result):
     name = result['run_name'].removesuffix('/iterations:1')
     if result.get('aggregate_name') == 'BigO':
@@ -60,8 +64,11 @@ def page(context, benchmarks):
     version = (ROOT / 'VERSION').read_text(encoding='utf-8').strip()
     parts = [INTRODUCTION.format(cpus=context['num_cpus'], s='s' if context['num_cpus'] > 1 else '', mhz=context['mhz_per_cpu'], version=version)]
     for title, head, names in sources():
-        rows = [row(result) for result in benchmarks if result['run_name'].split('/')[0] in names]
+        rows = [row(result) for result in benchmarks if name_of(result) in names]
         parts.append(f'## {title}\n\n{head}\n\n| Benchmark | Time | Counted |\n|---|---|---|\n' + '\n'.join(filter(None, rows)) + '\n')
+        missing = [f'`{name}`' for name in names if name not in map(name_of, benchmarks)]
+        if missing:
+            parts.append(f'Not measured in this run: {", ".join(dict.fromkeys(missing))}.\n')
     return '\n'.join(parts)
 
 
