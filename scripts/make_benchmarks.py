@@ -53,7 +53,7 @@ def name_of(result):
 def row(result):
     name = result['run_name'].removesuffix('/iterations:1')
     if result.get('aggregate_name') == 'BigO':
-        return f'| `{name}` | grows as {result["big_o"]} | |'
+        return f'| `{name}` | fits {result["big_o"]} best | |'
     if result.get('aggregate_name'):
         return None
     counted = ', '.join(f'{shown_number(value)} {key.replace("_", " ")}' for key, value in result.items() if key not in MEASURED_BY_LIBRARY)

@@ -34,7 +34,8 @@ int main() {
   const auto rasterizer = tessera::make_cpu_rasterizer();
   const auto result = tessera::run_job(job, {{"drawing", drawing}}, {.formats = {"svg"}}, *rasterizer, {});
   if (!result) {
-    for (const tessera::Status& problem : result.error()) std::cerr << problem.field << ": " << problem.message << '\n';
+    for (const tessera::Status& problem : result.error())
+      std::cerr << problem.field << ": " << problem.message << '\n';
     return 1;
   }
   std::cout << result->artifacts.front().bytes;
