@@ -14,7 +14,6 @@
 #include "tessera/cli/report.h"
 #include "tessera/cli/signals.h"
 #include "tessera/cli/stage_clock.h"
-#include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
 namespace {
@@ -89,17 +88,13 @@ class Run {
     return context;
   }
 
-  // Where GL was our choice and fails on the way, the CPU takes over.
+  // Where GL was our choice, the CPU may take over.
   tl::expected<JobResult, Problems> compute(const std::map<std::string, Input>& inputs, const JobRequest& request,
                                             Backend& backend) {
     Pictures pictures;
     for (const auto& [role, input] : inputs) pictures[role] = input.picture.view();
-    if (settings_.backend == BackendChoice::kAuto && backend.context) {
-      backend.rasterizer = make_fallback_rasterizer(
-          std::move(backend.rasterizer), cpu_backend().rasterizer, [this](const Status& reason) {
-            warn("the gl backend failed (" + reason.message + "), the cpu takes over");
-          });
-    }
+    if (settings_.backend == BackendChoice::kAuto && backend.context)
+      let_cpu_take_over(backend, [this](const std::string& message) { warn(message); });
     return run_job(job_, pictures, request, *backend.rasterizer, context());
   }
 
