@@ -9,7 +9,7 @@ namespace tessera::view {
 namespace {
 
 constexpr double kHalfField = 0.35;  // half the angle of view from bottom to top
-constexpr double kFirstUp = 0.9;
+constexpr double kFirstUp = 1.05;
 constexpr double kLowest = 0.02, kHighest = 1.55;  // looking straight down, up would have no direction
 
 }  // namespace
