@@ -92,7 +92,12 @@ class ViewTest(CliTest):
         """Waits for a window with these words in its title, and gives it the keyboard."""
         found = self.xdotool('search', '--sync', '--onlyvisible', '--name', words).split()[0]
         self.xdotool('windowfocus', '--sync', found)
-        return found
+        self.window_id = found
+
+    def drag(self, *points):
+        """With the left button, along points of the window."""
+        moves = [('mousemove', '--window', self.window_id, x, y) for x, y in points]
+        self.xdotool(*moves[0], 'mousedown', 1, *(word for move in moves[1:] for word in move), 'mouseup', 1)
 
     def saved(self, window, name):
         """What is seen, by the key s."""
@@ -159,7 +164,7 @@ class ViewTest(CliTest):
         corners = [(5, 5), (5, 394), (294, 5), (294, 394)]
         colours = [first[y][x] for y, x in corners]
         self.assertEqual(colours, [(level,) * 3 for level in (10, 70, 130, 190)])
-        self.xdotool('mousemove', 5, 5, 'click', '--repeat', '8', '--delay', '1', 4)  # the wheel, away: closer
+        self.xdotool('mousemove', '--window', self.window_id, 5, 5, 'click', '--repeat', '8', '--delay', '1', 4)  # the wheel, away: closer
         closer = self.saved(window, 'seen.png')
         self.assertEqual({pixel for row in closer for pixel in row}, {colours[0]})
         self.xdotool('key', '0')
@@ -169,7 +174,8 @@ class ViewTest(CliTest):
         self.assertEqual([self.saved(window, 'seen.png')[y][x] for y, x in corners], colours)
         self.xdotool('key', 'Left')  # the content moves right by an eighth
         self.assertEqual(self.saved(window, 'seen.png')[5][20], (48, 50, 54))
-        self.xdotool('key', '0', 'mousemove', 200, 150, 'mousedown', 1, 'mousemove', 230, 150, 'mousemove', 260, 170, 'mouseup', 1)
+        self.xdotool('key', '0')
+        self.drag((200, 150), (230, 150), (260, 170))
         moved = self.saved(window, 'seen.png')
         self.assertEqual((moved[19][200], moved[20][59], moved[20][60]), ((48, 50, 54), (48, 50, 54), colours[0]))
         self.xdotool('key', 'q')
@@ -184,7 +190,7 @@ class ViewTest(CliTest):
         self.assertGreater(mean_difference(self.saved(window, 'seen.png'), first), 1)
         self.xdotool('key', '0')
         self.assertEqual(self.saved(window, 'seen.png'), first)
-        self.xdotool('mousemove', 100, 75, 'mousedown', 1, 'mousemove', 120, 75, 'mousemove', 140, 75, 'mouseup', 1)
+        self.drag((100, 75), (120, 75), (140, 75))
         self.assertGreater(mean_difference(self.saved(window, 'seen.png'), first), 1)
         self.xdotool('key', 'Tab')
         flat = self.saved(window, 'seen.png')
