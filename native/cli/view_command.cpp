@@ -1,8 +1,6 @@
 #include "tessera/cli/view_command.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,17 +19,16 @@
 #include "tessera/io/atomic_file.h"
 #include "tessera/io/file.h"
 #include "tessera/io/picture.h"
+#include "tessera/job/recorder.h"
 #include "tessera/view/feed.h"
 #include "tessera/view/read_gltf.h"
 #include "tessera/view/window.h"
-#include "tessera/voronoi/preview.h"
 
 namespace tessera {
 namespace {
 
 constexpr const char* kPreviewFile = "preview.png";  // of a parquetry's folder
 constexpr const char* kScreenshot = "tessera-view.png";
-constexpr int kPreviewPixels = 600'000;
 
 // ---- What a file holds
 
@@ -84,23 +81,9 @@ tl::expected<Opened, Problems> open_file(const View& view) {
 
 // ---- A job's run, watched
 
-// Cells in the colours of their zones, with the borders between them.
-Raster drawn(const Preview& preview, const std::vector<Rgb>& palette) {
-  Raster raster{preview.cells.cols, preview.cells.rows, 3, 8, {}};
-  raster.bytes.reserve(3 * preview.cells.total());
-  for (const std::uint8_t cell : preview.cells) {
-    const std::size_t zone = std::min<std::size_t>(cell & kPreviewZone, palette.size() - 1);
-    const bool is_border = (cell & (kPreviewCellBorder | kPreviewZoneBorder)) != 0;
-    for (const std::uint8_t level : {palette[zone].r, palette[zone].g, palette[zone].b})
-      raster.bytes.push_back(is_border ? static_cast<std::uint8_t>((level + 128) / 2) : level);
-  }
-  return raster;
-}
-
-view::Content content_of(const Iteration& iteration) {
-  const Preview preview = make_preview(iteration, kPreviewPixels, 1);
-  return flat_content(drawn(preview, iteration.palette), {std::round(iteration.labels.cols / iteration.scale),
-                                                          std::round(iteration.labels.rows / iteration.scale)});
+// The diagram in the picture's colours, as an animation of the iterations has it.
+view::Content content_of(const Iteration& iteration, const ImageView& source) {
+  return flat_content(Recorder::draw(source, iteration), {0.0 + source.width, 0.0 + source.height});
 }
 
 view::Content content_of(Outcome outcome) {
@@ -156,9 +139,13 @@ class JobThread {
     context.on_warning = warn;
     Pictures pictures;
     for (const auto& [role, input] : *inputs) pictures[role] = input.picture.view();
-    auto outcome = compute_job(job, pictures, *backend->rasterizer, context, [this](const Iteration& iteration) {
-      if (feed_.is_awaited()) feed_.show(content_of(iteration));
-    });
+    IterationObserver observer;
+    if (const auto& roles = technique_of(job.params).inputs;
+        !roles.empty() && pictures.count(std::string(roles[0].name)))
+      observer = [this, source = pictures.at(std::string(roles[0].name))](const Iteration& iteration) {
+        if (feed_.is_awaited()) feed_.show(content_of(iteration, source));
+      };
+    auto outcome = compute_job(job, pictures, *backend->rasterizer, context, observer);
     if (!outcome) return end_with(outcome.error());
     feed_.show(content_of(*std::move(outcome)));
     return true;
