@@ -47,7 +47,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunNewJob, AskJob, RunSavedJob, Batch, Measure, FitCommand, View, PrintSchema, PrintText>;
+using Command =
+    std::variant<RunNewJob, AskJob, RunSavedJob, Batch, Measure, FitCommand, View, PrintSchema, PrintText>;
 
 // What is to be done; else the exit status, when everything has been said already: help, version, wrong usage.
 tl::expected<Command, int> parse_command_line(int argc, const char* const* argv);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 namespace tessera::view {
 namespace {
@@ -28,21 +29,30 @@ OrbitCamera::Axes OrbitCamera::axes() const {
 
 double OrbitCamera::radius() const { return std::max(glm::length(bounds_.most - bounds_.least) / 2, 1e-6); }
 
-// A corner at (x, y, z) of the camera's axes, from the target, is within the view from a distance of at least
-// z + |y| / tan(half the field), and the same across.
+// A corner at (x, y, z) of the camera's axes, from the box's middle, is within the view of a camera that is moved up
+// by s and at distance d where |y - s| <= (d - z) t, t the tangent of half the field. The least d for all corners has
+// d t = (a + b) / 2 and s = (a - b) / 2 with a = max(y + t z) and b = max(t z - y); across the same.
 void OrbitCamera::fit() {
-  target_ = (bounds_.least + bounds_.most) / 2.0;
-  const Axes a = axes();
-  const double tall = std::tan(kHalfField), wide = tall * aspect_;
-  distance_ = 0.01 * radius();
+  const glm::dvec3 middle = (bounds_.least + bounds_.most) / 2.0;
+  const Axes axes = this->axes();
+  const glm::dvec2 tangents{std::tan(kHalfField) * aspect_, std::tan(kHalfField)};
+  glm::dvec2 a(-std::numeric_limits<double>::infinity()), b = a;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p =
         glm::dvec3{corner & 1 ? bounds_.most.x : bounds_.least.x, corner & 2 ? bounds_.most.y : bounds_.least.y,
                    corner & 4 ? bounds_.most.z : bounds_.least.z} -
-        target_;
-    const double needed = std::max(std::fabs(glm::dot(p, a.right)) / wide, std::fabs(glm::dot(p, a.up)) / tall);
-    distance_ = std::max(distance_, glm::dot(p, a.back) + needed);
+        middle;
+    const glm::dvec2 across{glm::dot(p, axes.right), glm::dot(p, axes.up)};
+    a = glm::max(a, tangents * glm::dot(p, axes.back) + across);
+    b = glm::max(b, tangents * glm::dot(p, axes.back) - across);
   }
+  const glm::dvec2 distances = (a + b) / 2.0 / tangents, shift = (a - b) / 2.0;
+  distance_ = std::max({distances.x, distances.y, 0.01 * radius()});
+  target_ = middle + shift.x * axes.right + shift.y * axes.up;
+  // The same eye looks at what is in the view's middle at the box's middle height, which it is turned around.
+  const double nearer = (middle.y - target_.y) / axes.back.y;
+  target_ += nearer * axes.back;
+  distance_ -= nearer;
   fits_ = true;
 }
 

@@ -9,11 +9,13 @@
 
 namespace tessera::view {
 
-#define TESSERA_SDL_FUNCTIONS(X)                                                                                  \
-  X(CreateWindow)                                                                                                 \
-  X(DestroyWindow) X(GL_CreateContext) X(GL_DeleteContext) X(GL_GetDrawableSize) X(GL_SetAttribute)               \
-      X(GL_SetSwapInterval) X(GL_SwapWindow) X(GetError) X(GetModState) X(GetMouseState) X(GetWindowSize) X(Init) \
-          X(PollEvent) X(Quit) X(SetHint) X(SetMainReady) X(SetWindowTitle) X(WaitEventTimeout)
+// clang-format off
+#define TESSERA_SDL_FUNCTIONS(X) \
+  X(CreateWindow) X(DestroyWindow) X(GL_CreateContext) X(GL_DeleteContext) X(GL_GetDrawableSize) \
+  X(GL_SetAttribute) X(GL_SetSwapInterval) X(GL_SwapWindow) X(GetError) X(GetModState) X(GetMouseState) \
+  X(GetWindowSize) X(Init) X(PollEvent) X(Quit) X(SetHint) X(SetMainReady) X(SetWindowTitle) \
+  X(WaitEventTimeout)
+// clang-format on
 
 // `sdl.Init` is SDL_Init.
 struct Sdl {
