@@ -19,7 +19,7 @@ CORE = {
     'statistics': {'base', 'image', 'geometry', 'points'},
 }
 TECHNIQUE = {'base', 'image', 'geometry', 'voronoi', 'tessellation', 'points', 'statistics'}
-NATIVE = {'io': {'base', 'image'}, 'egl': {'base'}}
+NATIVE = {'io': {'base', 'image'}, 'egl': {'base'}, 'view': {'base', 'geometry', 'formats', 'gpu'}}
 SOURCES = {'.h', '.cpp'}
 
 FORBIDDEN_HEADERS = re.compile(

@@ -10,7 +10,7 @@ PERMISSIVE = {'Apache-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'BSL-1.0', 'CC0-1.0'
 OF_TOOLS = PERMISSIVE | {'0BSD', 'MPL-2.0', 'Python-2.0'}  # of which nothing is in what is built
 REGISTRY = 'https://registry.npmjs.org/'
 CMAKE_OWN = {'PkgConfig', 'Python3'}  # tools rather than libraries
-SYSTEM_HEADERS = re.compile(r'sys/.*|unistd\.h|fcntl\.h|poll\.h|malloc\.h')
+SYSTEM_HEADERS = re.compile(r'sys/.*|dlfcn\.h|unistd\.h|fcntl\.h|poll\.h|malloc\.h')
 OWN_CMAKE_MODULES = re.compile(r'Find\w+\.cmake')
 
 FOUND = re.compile(r'\bfind_package\(\s*([\w-]+)')

@@ -46,6 +46,11 @@ std::string write_bill_csv(const PieceSheet& sheet);
 std::string write_png(const Raster& raster, double pixels_per_metre = 0);
 // The picture of a sheet, as its PNG has it.
 Raster draw_sheet(const PieceSheet& sheet, double scale = 1);
+// Those pixels of that picture that are in a part of it, which lies within it and has some.
+struct PicturePart {
+  int left = 0, top = 0, width = 0, height = 0;
+};
+Raster draw_sheet(const PieceSheet& sheet, double scale, const PicturePart& part);
 // PNG picture of the sheet, 8 bits in each of its channels or, of pieces of one colour, with a palette, anti-aliased
 // by exact coverage, `scale` output pixels a source pixel (> 0).
 std::string write_png(const PieceSheet& sheet, double scale = 1);

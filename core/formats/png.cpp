@@ -14,13 +14,29 @@
 namespace tessera {
 namespace {
 
+struct Box {
+  Point least, most;
+};
+
+Box box_of(const Polygon& outline) {
+  Box box{outline.outer.front(), outline.outer.front()};
+  for (const Point p : outline.outer) {
+    box.least = {std::min(box.least.x, p.x), std::min(box.least.y, p.y)};
+    box.most = {std::max(box.most.x, p.x), std::max(box.most.y, p.y)};
+  }
+  return box;
+}
+
+Polygon moved(Polygon outline, Point way) {
+  for (Point& p : outline.outer) p += way;
+  for (Ring& hole : outline.holes)
+    for (Point& p : hole) p += way;
+  return outline;
+}
+
 // Where else on a seamless sheet an outline shows that sticks out of it.
 std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outline) {
-  Point least = outline.outer.front(), most = least;
-  for (const Point p : outline.outer) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-  }
+  const auto [least, most] = box_of(outline);
   // Shifted by so many sheets, [from, to], it meets the sheet.
   const auto from = [](double end, double size) { return static_cast<int>(std::ceil(-end / size)); };
   const auto to = [](double begin, double size) { return static_cast<int>(std::floor((size - begin) / size)); };
@@ -28,11 +44,7 @@ std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outli
   for (int j = from(most.y, sheet.height); j <= to(least.y, sheet.height); ++j)
     for (int i = from(most.x, sheet.width); i <= to(least.x, sheet.width); ++i) {
       if (i == 0 && j == 0) continue;
-      copies.push_back(outline);
-      const Point way{i * sheet.width, j * sheet.height};
-      for (Point& p : copies.back().outer) p += way;
-      for (Ring& hole : copies.back().holes)
-        for (Point& p : hole) p += way;
+      copies.push_back(moved(outline, {i * sheet.width, j * sheet.height}));
     }
   return copies;
 }
@@ -235,6 +247,27 @@ Raster draw_sheet(const PieceSheet& sheet, double scale) {
     copy_channel(opacity, 0, raster, colours);
   }
   return raster;
+}
+
+Raster draw_sheet(const PieceSheet& sheet, double scale, const PicturePart& part) {
+  const Point origin{part.left / scale, part.top / scale}, size{part.width / scale, part.height / scale};
+  PieceSheet seen;
+  seen.width = size.x;
+  seen.height = size.y;
+  seen.grout = sheet.grout;
+  seen.grout_opacity = sheet.grout_opacity;
+  seen.channels = sheet.channels;
+  const auto add = [&](const Piece& piece, const Polygon& outline) {
+    const auto [least, most] = box_of(outline);
+    if (most.x < origin.x || most.y < origin.y || least.x > origin.x + size.x || least.y > origin.y + size.y) return;
+    seen.pieces.push_back({piece.id, moved(outline, -1 * origin), piece.fill, piece.opacity});
+  };
+  for (const Piece& piece : sheet.pieces) {
+    add(piece, piece.outline);
+    if (!sheet.seamless) continue;
+    for (const Polygon& copy : copies_across(sheet, piece.outline)) add(piece, copy);
+  }
+  return draw_sheet(seen, scale);
 }
 
 std::string write_png(const Raster& raster, double pixels_per_metre) {

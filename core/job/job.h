@@ -102,5 +102,7 @@ tl::expected<Outcome, Problems> compute_job(const Job& job, const Pictures& pict
                                             bool records = false);
 tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, const Outcome& outcome,
                                                               const JobRequest& request, const RunContext& context);
+// The picture that a result's PNG holds; `png_scale` as in JobRequest.
+Raster draw_picture(const Outcome& outcome, double png_scale = 0);
 
 }  // namespace tessera

@@ -48,8 +48,17 @@ Recorder::Recorder(const ImageView& source) : source_(sampled<cv::Vec3b>(source.
 void Recorder::record(const Iteration& iteration) {
   const int steps = most_frames(source_.total()) - 1;
   const int every = std::max(1, (iteration.last + steps - 1) / steps);
-  if (iteration.index % every != 0 && iteration.index != iteration.last) return;
+  if (iteration.index % every == 0 || iteration.index == iteration.last) keep(iteration);
+}
+
+void Recorder::keep(const Iteration& iteration) {
   recorded_.push_back({sampled<int>(iteration.labels, source_.size()), iteration.sites.size()});
+}
+
+Raster Recorder::draw(const ImageView& source, const Iteration& iteration) {
+  Recorder recorder(source);
+  recorder.keep(iteration);
+  return recorder.frame(0);
 }
 
 Raster Recorder::frame(int index) const {

@@ -22,7 +22,12 @@ class Recorder {
   int frames() const { return static_cast<int>(recorded_.size()); }
   Raster frame(int index) const;
 
+  // One iteration as a frame.
+  static Raster draw(const ImageView& source, const Iteration& iteration);
+
  private:
+  void keep(const Iteration& iteration);
+
   struct Recorded {
     LabelMap labels;  // at the frame's pixels
     std::size_t sites;

@@ -30,11 +30,14 @@ std::string in_3d(const Outcome& made, std::string (*write)(const Scene&)) {
   return write(made.scene.views.empty() ? extruded(made.sheet) : made.scene);
 }
 
+// A small sheet is drawn larger, towards 2048 px, so that its pieces can be seen.
+double png_scale_of(const PieceSheet& sheet, double asked) {
+  if (asked > 0) return asked;
+  return std::clamp(std::floor(2048 / std::max({sheet.width, sheet.height, 1.0})), 1.0, 4.0);
+}
+
 std::string picture_of(const Outcome& made, double scale) {
-  if (!made.finish) return write_png(made.sheet, scale);
-  Raster picture = draw_sheet(made.sheet, scale);
-  made.finish(picture);
-  return write_png(picture);
+  return made.finish ? write_png(draw_picture(made, scale)) : write_png(made.sheet, scale);
 }
 
 const Format kFormats[] = {
@@ -57,12 +60,6 @@ const Format kFormats[] = {
 // `name` is among the technique's formats.
 const Format& format_of(const std::string& name) {
   return *std::find_if(std::begin(kFormats), std::end(kFormats), [&](const Format& f) { return f.name == name; });
-}
-
-// A small sheet is drawn larger, towards 2048 px, so that its pieces can be seen.
-double png_scale_of(const PieceSheet& sheet, double asked) {
-  if (asked > 0) return asked;
-  return std::clamp(std::floor(2048 / std::max({sheet.width, sheet.height, 1.0})), 1.0, 4.0);
 }
 
 // Of a PNG: more is too much for other programs as well.
@@ -193,6 +190,12 @@ tl::expected<std::vector<Artifact>, Problems> write_artifacts(const Job& job, co
   check_request(technique_of(job.params), request, problems);
   if (!problems.empty()) return tl::unexpected<Problems>(std::move(problems));
   return guarded([&] { return write_valid_artifacts(outcome, request, context); });
+}
+
+Raster draw_picture(const Outcome& outcome, double png_scale) {
+  Raster picture = draw_sheet(outcome.sheet, png_scale_of(outcome.sheet, png_scale));
+  if (outcome.finish) outcome.finish(picture);
+  return picture;
 }
 
 tl::expected<JobResult, Problems> run_job(const Job& job, const Pictures& pictures, const JobRequest& request,

@@ -5,6 +5,7 @@
 
 #include "tessera/gpu/gl_rasterizer.h"
 #include "tessera/voronoi/cpu_rasterizer.h"
+#include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
 namespace {
@@ -43,6 +44,13 @@ Result<Backend> make_backend(BackendChoice choice) {
   if (backend) return backend;
   return fail(StatusCode::kInvalidParameter, "backend",
               "gl does not work here (" + backend.error().message + "), expected auto or cpu");
+}
+
+void let_cpu_take_over(Backend& backend, std::function<void(const std::string& message)> warn) {
+  backend.rasterizer = make_fallback_rasterizer(
+      std::move(backend.rasterizer), cpu_backend().rasterizer, [warn = std::move(warn)](const Status& reason) {
+        warn("the gl backend failed (" + reason.message + "), the cpu takes over");
+      });
 }
 
 }  // namespace tessera

@@ -350,6 +350,7 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   const CLI::App& fitting = add_fit_command(app, fit);
   const SavedJobCommand run(app);
   const BatchFlags batch(app);
+  const ViewFlags view(app);
   const SchemaCommand schema(app);
   const CompletionCommand completion(app);
 
@@ -371,6 +372,7 @@ tl::expected<Command, int> parse_command_line(int argc, const char* const* argv)
   if (fitting.parsed()) command = fit;
   if (run.chosen()) command = run.read(problems);
   if (batch.chosen()) command = batch.read(problems);
+  if (view.chosen()) command = view.read(problems);
   if (schema.chosen()) command = schema.read(usage_of(app));
   if (completion.chosen()) command = completion.read(usage_of(app), problems);
   if (!command) problems.push_back(no_command(app));

@@ -10,6 +10,7 @@
 #include "tessera/cli/fit_command.h"
 #include "tessera/cli/measure_command.h"
 #include "tessera/cli/settings.h"
+#include "tessera/cli/view_command.h"
 #include "tessera/job/job.h"
 #include "tessera/job/techniques.h"
 
@@ -46,7 +47,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunNewJob, AskJob, RunSavedJob, Batch, Measure, FitCommand, PrintSchema, PrintText>;
+using Command =
+    std::variant<RunNewJob, AskJob, RunSavedJob, Batch, Measure, FitCommand, View, PrintSchema, PrintText>;
 
 // What is to be done; else the exit status, when everything has been said already: help, version, wrong usage.
 tl::expected<Command, int> parse_command_line(int argc, const char* const* argv);

@@ -87,6 +87,8 @@ int execute(const Batch& command) { return run_batch(command); }
 
 int execute(const Measure& command) { return run_measure(command); }
 
+int execute(const View& command) { return run_view(command); }
+
 int execute(const FitCommand& command) { return run_fit(command); }
 
 int execute(const PrintText& command) { return print_to_stdout(command.text); }

@@ -17,7 +17,6 @@
 #include "tessera/cli/stage_clock.h"
 #include "tessera/io/sha256.h"
 #include "tessera/job/tile_by_tile.h"
-#include "tessera/voronoi/fallback_rasterizer.h"
 
 namespace tessera {
 namespace {
@@ -98,14 +97,10 @@ class Run {
     return context;
   }
 
-  // Where GL was our choice and fails on the way, the CPU takes over.
+  // Where GL was our choice, the CPU may take over.
   Rasterizer& with_fallback(Backend& backend) {
-    if (settings_.backend == BackendChoice::kAuto && backend.context) {
-      backend.rasterizer = make_fallback_rasterizer(
-          std::move(backend.rasterizer), cpu_backend().rasterizer, [this](const Status& reason) {
-            warn("the gl backend failed (" + reason.message + "), the cpu takes over");
-          });
-    }
+    if (settings_.backend == BackendChoice::kAuto && backend.context)
+      let_cpu_take_over(backend, [this](const std::string& message) { warn(message); });
     return *backend.rasterizer;
   }
 

@@ -54,7 +54,12 @@ void apply_changes(const std::vector<std::string>& changes, Job& job, Problems& 
 tl::expected<Job, Problems> load_job(const std::string& path, const std::vector<std::string>& changes) {
   auto text = read_file(path);
   if (!text) return tl::unexpected<Problems>(Problems{std::move(text.error())});
-  auto job = read_job(*text);
+  return read_saved_job(*text, path, changes);
+}
+
+tl::expected<Job, Problems> read_saved_job(const std::string& text, const std::string& path,
+                                           const std::vector<std::string>& changes) {
+  auto job = read_job(text);
   if (!job) {
     for (Status& problem : job.error()) {
       problem.field = problem.field.empty() ? input_name(path) : input_name(path) + ": " + problem.field;

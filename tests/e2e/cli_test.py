@@ -32,12 +32,12 @@ class UsageTest(CliTest):
     def test_only_commands_that_work_are_listed(self):
         text = self.succeed('--help').stdout.decode()
         commands = [line.split()[0] for line in text.split('Subcommands:')[1].splitlines() if line.strip()]
-        self.assertEqual(commands, ['pave', 'mosaic', 'pebbles', 'pattern', 'parquet', 'measure', 'fit', 'run', 'batch', 'schema', 'completion'])
+        self.assertEqual(commands, ['pave', 'mosaic', 'pebbles', 'pattern', 'parquet', 'measure', 'fit', 'run', 'batch', 'view', 'schema', 'completion'])
         for command in commands:
             self.succeed(command, '--help')
 
     def test_wrong_usage(self):
-        self.fail_with(2, says=['expected pave, mosaic, pebbles, pattern, parquet, measure, fit, run, batch, schema or completion'])
+        self.fail_with(2, says=['expected pave, mosaic, pebbles, pattern, parquet, measure, fit, run, batch, view, schema or completion'])
         self.fail_with(2, 'fold', says=['fold'])
         self.fail_with(2, 'pave', says=['DRAWING'])
         self.fail_with(2, 'pave', 'disc.png', says=['-o'])

@@ -245,5 +245,29 @@ TEST(WriteApng, WithoutFramesItIsTheSheet) {
   EXPECT_EQ(decoded(file).rgb, decoded(write_png(sheet, 2)).rgb);
 }
 
+TEST(Png, a_part_of_a_picture_is_what_the_whole_has_there) {
+  for (const bool seamless : {false, true}) {
+    PieceSheet sheet = sheet_of(40, 30,
+                                {{1, {box(2.25, 1.5, 17.75, 28.5), {box(5, 5, 9, 20)}}, {200, 20, 60}},
+                                 {2, {box(20, -3, 47, 11), {}}, {10, 220, 90}},
+                                 {3, {box(18.5, 14, 38.25, 33), {}}, {30, 40, 250}}});
+    sheet.seamless = seamless;
+    for (const double scale : {1.0, 2.5, 7.0}) {
+      const Raster whole = draw_sheet(sheet, scale);
+      for (const PicturePart part : {PicturePart{0, 0, whole.width, whole.height}, PicturePart{3, 5, 20, 11},
+                                     PicturePart{whole.width - 13, whole.height - 9, 13, 9}}) {
+        const Raster drawn = draw_sheet(sheet, scale, part);
+        ASSERT_EQ(drawn.width, part.width);
+        ASSERT_EQ(drawn.height, part.height);
+        for (int y = 0; y < part.height; ++y)
+          for (int k = 0; k < 3 * part.width; ++k) {
+            const int expected = whole.bytes[3 * (part.top + y) * whole.width + 3 * part.left + k];
+            ASSERT_NEAR(drawn.bytes[3 * y * part.width + k], expected, 1) << scale << " " << y << " " << k;
+          }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tessera

@@ -53,6 +53,15 @@ TEST(Recorder, LargeFramesAreFewer) {
   EXPECT_GE(recorder.frames(), 12);
 }
 
+TEST(Recorder, AnyIterationIsDrawnAsAFrame) {
+  const cv::Mat3b picture = two_halves(80, 80);
+  LabelMap labels(80, 80, 0);
+  labels.rowRange(40, 80) = 1;
+  Recorder recorder(view_of(picture));
+  recorder.record({0, 100000, 1, Sites(2), labels, {}});
+  EXPECT_EQ(Recorder::draw(view_of(picture), {7, 100000, 1, Sites(2), labels, {}}).bytes, recorder.frame(0).bytes);
+}
+
 TEST(Recorder, LargePicturesMakeSmallFrames) {
   const cv::Mat3b picture = two_halves(2000, 500);
   const LabelMap labels(500, 2000, 0);
