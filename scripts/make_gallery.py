@@ -64,9 +64,9 @@ SECTIONS = [
      'Squares of 24 mm are quartered, once or twice, where their quarters cost less than the factor times as much. With the '
      'paper\'s factors of 1.2 and 1.5 all squares are, on this board.',
      f'{COMMAND} --patch-mm 24 --min-width-mm 4',
-     [[('adaptive-1-7', '--adaptive-levels 1 --adaptive-factor 0.7', 'Some squares of the background stay whole.'),
-       ('adaptive-2-7', '--adaptive-levels 2 --adaptive-factor 0.7', 'Small pieces where fruit is.'),
-       ('adaptive-2-5', '--adaptive-levels 2 --adaptive-factor 0.55', 'Fewer pieces, at a higher cost.')]]),
+     [[('adaptive-1-7', '--adaptive-levels 1 --adaptive-factor 0.7', 'Background and bottle are quartered, the fruit in front is not.'),
+       ('adaptive-2-7', '--adaptive-levels 2 --adaptive-factor 0.7', 'Small pieces for the bottle and the melon.'),
+       ('adaptive-2-5', '--adaptive-levels 2 --adaptive-factor 0.55', 'Fewer of them: the melon stays whole.')]]),
     ('Pieces of any shape (Fig. 18)',
      'A picture in few tones, whose regions are the pieces, and a drawing whose shapes are.',
      'tessera parquet PICTURE --panel walnut.png --image-size-mm 80',
