@@ -314,16 +314,19 @@ class TimeTest(FaultsTest):
     def test_the_time_limit_holds(self):
         """Of one thread, in time of the processor: as long as it may take where nothing else runs, and never longer."""
         self.put('huge.png', png(1500, 1500, lambda x, y: 255 * ((x // 7 * 31 + y // 5 * 17) % 3 % 2)))
+        self.succeed('pattern', 'occupancy', '--width', 6000, '--height', 6000, '--intensity', 0.001, '--png-scale', 1,
+                     '-o', 'cells.png')
         begin = cpu_seconds()
         self.succeed('--version')
         startup = cpu_seconds() - begin
-        for words in (['pave', 'huge.png', '--half-side', 2], ['pave', 'huge.png', '--method', 'paper'],
-                      ['mosaic', 'huge.png', '--tiles', 200000], ['pebbles', 'huge.png', '--width', 1500],
+        for words in (['pave', 'huge.png', '--half-side', 1], ['pave', 'huge.png', '--method', 'paper'],
+                      ['mosaic', 'huge.png', '--tiles', 200000], ['pebbles', 'cells.png', '--width', 6000],
                       ['pattern', 'poisson-lines', '--width', 9000, '--height', 9000, '--intensity', 0.1],
                       ['pattern', 'occupancy', '--width', 9000, '--height', 9000, '--intensity', 0.03],
                       ['parquet', 'huge.png', '--panel', 'huge.png,name=oak,dpi=200', '--image-size-mm', 300]):
             for limit in (0.3, 1):
                 with self.subTest(' '.join(map(str, words)), limit=limit):
+                    (self.folder / 'a.svg').unlink(missing_ok=True)
                     begin = cpu_seconds()
                     done = self.run_program(*words, '-o', 'a.svg', '--timeout', limit, '--threads', 1, '--quiet')
                     self.assertEqual((done.returncode, done.stderr), (124, b'tessera: out of time (--timeout)\n'))
