@@ -30,7 +30,8 @@ Result<Decoded> decode_bmp(Bytes file, std::uint64_t max_pixels);
 
 // kInvalidInput for no pixels and for too many.
 Result<void> check_size(std::uint64_t width, std::uint64_t height, std::uint64_t max_pixels);
-// "is a damaged PNG (IDAT: CRC error)".
+// "is a damaged PNG (IDAT: CRC error)". Libraries put bytes of the file into a reason: what is not ASCII becomes
+// spaces.
 tl::unexpected<Status> damaged(std::string_view kind, std::string_view reason);
 
 // An uninitialised picture of a size that passed check_size, with `channels` bytes a pixel.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "tessera/base/colour.h"
@@ -58,7 +59,10 @@ Result<void> check_size(std::uint64_t width, std::uint64_t height, std::uint64_t
 }
 
 tl::unexpected<Status> damaged(std::string_view kind, std::string_view reason) {
-  return fail(StatusCode::kInvalidInput, "", fmt::format("is a damaged {} ({}), expected a whole one", kind, reason));
+  std::string line(reason);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, ' ');
+  return fail(StatusCode::kInvalidInput, "", fmt::format("is a damaged {} ({}), expected a whole one", kind, line));
 }
 
 Picture make_picture(std::uint64_t width, std::uint64_t height, int channels) {

@@ -13,6 +13,7 @@
 #include <iterator>
 
 #include "picture_files.h"
+#include "tessera/io/decoders.h"
 
 namespace tessera {
 namespace {
@@ -370,6 +371,11 @@ TEST(PictureTest, SurvivesAnyWrongByte) {
       }
     }
   }
+}
+
+// libtiff repeats what a damaged file says.
+TEST(Damaged, ReasonsAreALineOfAscii) {
+  EXPECT_EQ(damaged("TIFF", "tag \n\x01\xff?").value().message, "is a damaged TIFF (tag    ?), expected a whole one");
 }
 
 }  // namespace
