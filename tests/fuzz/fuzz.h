@@ -62,3 +62,9 @@ inline ImageView view_of(const cv::Mat3b& picture) {
 }
 
 }  // namespace tessera::fuzz
+
+// libFuzzer calls it before the first input. A target is one file, so that it is defined once.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  cv::setNumThreads(1);
+  return 0;
+}

@@ -111,11 +111,6 @@ void try_run(FuzzedDataProvider& data) {
 }  // namespace
 }  // namespace tessera::fuzz
 
-extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  cv::setNumThreads(1);
-  return 0;
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider provider(data, size);
   tessera::fuzz::try_run(provider);

@@ -43,11 +43,6 @@ const std::string& head() {
 }  // namespace
 }  // namespace tessera::fuzz
 
-extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  cv::setNumThreads(1);
-  return 0;
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tessera::fuzz;
   const auto outcome = run(head() + std::string(text_of(data, size)));
