@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <utility>
 
 namespace tessera::parquetry {
 namespace {
@@ -41,11 +43,26 @@ class Matcher::Search {
     left_.resize(all + 1);
   }
 
+  // Where nothing is known yet: a place with room, so that bounds can be counted in units of a fitting size.
+  void begin() {
+    if (last_.x < 0 || last_.y < 0) return;
+    const int rows = last_.y / kGroup + 1;
+    for (int k = 0; k < rows && limit_.load(std::memory_order_relaxed) == kAnyCost; ++k) {
+      const int y = (rows / 2 + k) % rows;
+      const Span span = groups_of(y);
+      if (span.begin >= span.end) continue;
+      const std::uint8_t* room = room_of(y, span);
+      const std::ptrdiff_t most = std::max_element(room, room + (span.end - span.begin)) - room;
+      if (room[most] >= needed_room()) visit(span.begin + static_cast<int>(most), y, false);
+    }
+  }
+
   // Bounds of all groups; then the places in the most promising group of each band of rows.
   void look_over() {
     if (last_.x < 0 || last_.y < 0) return;
     constexpr int kBands = 12;
     const int rows = last_.y / kGroup + 1;
+    choose_unit();
     for (int band = 0; band < kBands; ++band) {
       std::uint16_t least = kNoRoom;
       int least_row = 0;
@@ -56,21 +73,32 @@ class Matcher::Search {
           least_row = y;
         }
       }
+      least_ = std::min(least_, std::ldexp(least, coarser_));
       if (least > coarse_limit()) continue;
       const std::uint16_t* row = bounds(least_row);
       visit(static_cast<int>(std::find(row, row + frame_.stride, least) - row), least_row, false);
     }
   }
 
-  // All places that can be as good as what was found, in groups whose bounds are within `share` of that; and which
-  // have not been looked at.
-  void look_closely(double share) {
+  // The least of the bounds of all groups, of blocks of kUnit pixels.
+  double least() const { return least_; }
+
+  // Bounds in other units, if what is known by now asks for them.
+  void look_over_again() {
+    if (last_.x < 0 || last_.y < 0 || !choose_unit()) return;
+    for (int y = 0; y <= last_.y / kGroup; ++y) bound_row(y);
+  }
+
+  // All places that can be as good as what was found, in groups whose bounds are within that `share` of the way from
+  // `least` to it; and which have not been looked at.
+  void look_closely(double share, double least) {
     if (last_.x < 0 || last_.y < 0) return;
-    const bool coarser = share < 1 && count_coarser();
+    const double low = std::ldexp(least, -coarser_);
     for (int y = 0; y <= last_.y / kGroup; ++y) {
-      if (coarser) bound_row(y);
+      const double within = share * std::max(0.0, coarse_limit() - low);
       found_.clear();
-      find_at_most(bounds(y), last_.x / kGroup + 1, static_cast<std::uint16_t>(share * coarse_limit()), found_);
+      find_at_most(bounds(y), last_.x / kGroup + 1,
+                   static_cast<std::uint16_t>(std::min<double>(low + within, coarse_limit())), found_);
       if (found_.empty()) continue;
       bound_upper(y);
       for (const int x : found_)
@@ -86,18 +114,24 @@ class Matcher::Search {
  private:
   std::uint16_t* bounds(int y) { return frame_.bounds.data() + static_cast<std::ptrdiff_t>(y) * frame_.stride; }
 
-  // The groups of a row that have room for the patch: by the room at its deepest place, which is in group x + deep.x.
-  std::uint16_t bound_row(int y) {
-    std::uint16_t* row = bounds(y);
+  // Of a row, between which there may be room for the patch: by that at its deepest place, in group x + deep.x.
+  Span groups_of(int y) const {
     const Shape& shape = patch_.shape;
     const Span& span = view_.groups[std::min<std::size_t>(y + shape.deep.y, view_.groups.size() - 1)];
-    const int begin = std::max(0, span.begin - shape.deep.x);
-    const int end = std::min(last_.x / kGroup + 1, span.end - shape.deep.x);
+    return {std::max(0, span.begin - shape.deep.x), std::min(last_.x / kGroup + 1, span.end - shape.deep.x)};
+  }
+  const std::uint8_t* room_of(int y, Span groups) const {
+    return wood_.room(index_).at(y + patch_.shape.deep.y, groups.begin + patch_.shape.deep.x);
+  }
+
+  // The least bound of the groups that have room.
+  std::uint16_t bound_row(int y) {
+    std::uint16_t* row = bounds(y);
+    const Span span = groups_of(y);
     std::fill(row, row + frame_.stride, kNoRoom);
-    if (begin >= end) return kNoRoom;
-    const std::uint8_t* room = wood_.room(index_).at(y + shape.deep.y, begin + shape.deep.x);
-    const std::uint16_t least = bound_groups(y, {begin, end}, room, needed_room(), row, nullptr);
-    std::fill(row + end, row + frame_.stride, kNoRoom);
+    if (span.begin >= span.end) return kNoRoom;
+    const std::uint16_t least = bound_groups(y, span, room_of(y, span), needed_room(), row, nullptr);
+    std::fill(row + span.end, row + frame_.stride, kNoRoom);
     return least;
   }
 
@@ -132,14 +166,19 @@ class Matcher::Search {
   // To squared bytes of blocks of kUnit pixels, or larger units.
   int shift(int side) const { return coarser_ + (side == 16 ? 0 : side == 8 ? 2 : 4); }
 
-  // Bounds count in larger units where the limit would not fit into 16 bits.
-  bool count_coarser() {
-    follow_limit();
-    const double most = bytes_within(followed_, kUnit, matcher_.code_.scale);
+  // Bounds count in larger units where the limit would not fit into 16 bits, or only just above what rounding takes
+  // from them. Whether they have to be counted anew.
+  bool choose_unit() {
+    const std::int64_t limit = limit_.load(std::memory_order_relaxed);
+    if (limit == kAnyCost) return false;
     constexpr int kMostBits = 8;
-    while (followed_ != kAnyCost && coarser_ < kMostBits && std::ldexp(most, -coarser_) > kNoRoom - 2) ++coarser_;
+    constexpr double kTooLittle = 1 << 11;
+    const double most = bytes_within(limit, kUnit, matcher_.code_.scale), now = std::ldexp(most, -coarser_);
+    if (now < kNoRoom - 1 && (coarser_ == 0 || now > kTooLittle)) return false;
+    const int before = std::exchange(coarser_, 0);
+    while (coarser_ < kMostBits && std::ldexp(most, -coarser_) > kNoRoom - 2) ++coarser_;
     followed_ = -1;
-    return coarser_ > 0;
+    return coarser_ != before;
   }
 
   // The room a group needs: a place of the patch `depth` inside it is at most 1.5 px across and down from its middle.
@@ -257,6 +296,7 @@ class Matcher::Search {
   std::int64_t followed_ = -1;
   std::uint16_t coarse_limit_ = 0;
   int coarser_ = 0;  // bits that bounds have lost
+  double least_ = std::numeric_limits<double>::infinity();
   std::vector<CoarseBlock> blocks_;
   std::vector<int> found_;
   std::vector<std::uint8_t> wanted_;
@@ -306,11 +346,14 @@ std::optional<Match> Matcher::search(const Template& patch, const Wood& wood, st
       for (int v = range.start; v < range.end; ++v) step(searches[v]);
     });
   };
+  all([](Search& search) { search.begin(); });
   all([](Search& search) { search.look_over(); });
   if (closely) {
-    constexpr double kFirst = 0.7;  // the most promising ones lower the limit for the others
-    all([](Search& search) { search.look_closely(kFirst); });
-    all([](Search& search) { search.look_closely(1); });
+    all([](Search& search) { search.look_over_again(); });
+    double least = std::numeric_limits<double>::infinity();
+    for (const Search& search : searches) least = std::min(least, search.least());
+    // The most promising ones lower the limit for the others.
+    for (const double share : {0.3, 0.7, 1.0}) all([&](Search& search) { search.look_closely(share, least); });
   }
   std::optional<Match> best;
   for (const Search& search : searches)
