@@ -14,19 +14,6 @@
 namespace tessera {
 namespace {
 
-struct Box {
-  Point least, most;
-};
-
-Box box_of(const Polygon& outline) {
-  Box box{outline.outer.front(), outline.outer.front()};
-  for (const Point p : outline.outer) {
-    box.least = {std::min(box.least.x, p.x), std::min(box.least.y, p.y)};
-    box.most = {std::max(box.most.x, p.x), std::max(box.most.y, p.y)};
-  }
-  return box;
-}
-
 Polygon moved(Polygon outline, Point way) {
   for (Point& p : outline.outer) p += way;
   for (Ring& hole : outline.holes)
@@ -36,7 +23,7 @@ Polygon moved(Polygon outline, Point way) {
 
 // Where else on a seamless sheet an outline shows that sticks out of it.
 std::vector<Polygon> copies_across(const PieceSheet& sheet, const Polygon& outline) {
-  const auto [least, most] = box_of(outline);
+  const auto [least, most] = bounds_of(outline.outer);
   // Shifted by so many sheets, [from, to], it meets the sheet.
   const auto from = [](double end, double size) { return static_cast<int>(std::ceil(-end / size)); };
   const auto to = [](double begin, double size) { return static_cast<int>(std::floor((size - begin) / size)); };
@@ -258,7 +245,7 @@ Raster draw_sheet(const PieceSheet& sheet, double scale, const PicturePart& part
   seen.grout_opacity = sheet.grout_opacity;
   seen.channels = sheet.channels;
   const auto add = [&](const Piece& piece, const Polygon& outline) {
-    const auto [least, most] = box_of(outline);
+    const auto [least, most] = bounds_of(outline.outer);
     if (most.x < origin.x || most.y < origin.y || least.x > origin.x + size.x || least.y > origin.y + size.y) return;
     seen.pieces.push_back({piece.id, moved(outline, -1 * origin), piece.fill, piece.opacity});
   };

@@ -10,24 +10,11 @@
 namespace tessera {
 namespace {
 
-struct Box {
-  Point low, high;
-};
-
-Box box_of(const Ring& ring) {
-  Box box{ring.front(), ring.front()};
-  for (const Point p : ring) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 // The polygon's pixels, with one around them that is none of its.
 class Pixels {
  public:
   Pixels(const Polygon& polygon, double side) : side_(side) {
-    const Box box = box_of(polygon.outer);
+    const Bounds box = bounds_of(polygon.outer);
     low_ = box.low;
     const auto count = [&](double length) { return static_cast<int>(std::ceil(length / side)) + 2; };
     mask_ = cv::Mat1b(count(box.high.y - low_.y), count(box.high.x - low_.x), static_cast<std::uint8_t>(0));
@@ -85,7 +72,7 @@ cv::Point between(const cv::Mat1i& parts) {
 
 double fair_precision(const Polygon& polygon, double least) {
   constexpr double kAcross = 150;
-  const Box box = box_of(polygon.outer);
+  const Bounds box = bounds_of(polygon.outer);
   return std::max(least, std::max(box.high.x - box.low.x, box.high.y - box.low.y) / kAcross);
 }
 

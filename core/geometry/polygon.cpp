@@ -116,6 +116,15 @@ bool folds_back(Point a, Point b, Point c) {
 }  // namespace
 
 // Sums are taken relative to the first vertex: small pieces far from the origin keep their digits.
+Bounds bounds_of(const Ring& ring) {
+  Bounds box{ring.front(), ring.front()};
+  for (const Point p : ring) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
 double signed_area(const Ring& ring) {
   double twice = 0;
   each_side(ring, [&](Point a, Point b) { twice += cross(a - ring[0], b - ring[0]); });

@@ -16,6 +16,12 @@ struct Polygon {
   std::vector<Ring> holes;
 };
 
+// The least rectangle along the axes around a ring that has vertices.
+struct Bounds {
+  Point low, high;
+};
+Bounds bounds_of(const Ring& ring);
+
 double signed_area(const Ring& ring);
 double area(const Polygon& polygon);  // without its holes, >= 0
 double perimeter(const Ring& ring);

@@ -37,7 +37,7 @@ class Matcher::Search {
     const cv::Size size = view_.turn.size();
     last_ = {size.width - patch.shape.size.width, size.height - patch.shape.size.height};
     const std::size_t all = looks(patch.pixels.rows());
-    for (auto* each : {&limits_, &exact_}) each->resize(all);
+    limits_.resize(all);
     for (auto* each : {&fine_sums_, &sums_}) each->resize(kGroup * all);
     pixel_unit_ = kGroup * kGroup / (kSlack * matcher.code_.scale * matcher.code_.scale);
     left_.resize(all + 1);
@@ -230,11 +230,27 @@ class Matcher::Search {
     const unsigned both =
         within & compare_four(fine.strips, pixels, matcher_.code_.channels, limits_.data(), sums_.data());
     const int last_look = looks(fine.strips.rows()) - 1;
-    for (int i = 0; i < count; ++i) {
-      if ((both >> i & 1) == 0) continue;
-      if (last_look >= 0 && sums_[kGroup * last_look + i] + blocks[i] > followed_) continue;
-      if (may_be_as_good({x + i, y}, fine)) consider({x + i, y});
+    unsigned left = 0;
+    for (int i = 0; i < count; ++i)
+      if ((both >> i & 1) != 0 && (last_look < 0 || sums_[kGroup * last_look + i] + blocks[i] <= followed_))
+        left |= 1U << i;
+    if (left != 0) compare_pixels({x, y}, left, fine);
+  }
+
+  // The places `left` of four from `at` on, as bits: by the pixels, with the fine blocks of what has not been
+  // compared.
+  void compare_pixels(cv::Point at, unsigned left, const Template::Fine& fine) {
+    for (std::size_t look = 0; look < fine.lost_rest.size(); ++look) {
+      std::int64_t least = kAnyCost;
+      for (int i = 0; i < kGroup; ++i)
+        if ((left >> i & 1) != 0) least = std::min(least, cost_of_blocks(fine, i, look));
+      left_[look] = followed_ - least;
     }
+    for (std::size_t i = 0; i < limits_.size(); ++i) limits_[i] = left_[fine.looks[i]];
+    left &=
+        compare_four(patch_.pixels, matcher_.spot(index_, at), matcher_.code_.channels, limits_.data(), sums_.data());
+    for (int i = 0; i < kGroup; ++i)
+      if ((left >> i & 1) != 0) consider({at.x + i, at.y}, sums_[sums_.size() - kGroup + i]);
   }
 
   // What fine blocks may sum up to at each look, if the coarse ones above them cost no more than their bounds.
@@ -257,15 +273,6 @@ class Matcher::Search {
     }
   }
 
-  // By the pixels, with the fine blocks of what is left.
-  bool may_be_as_good(cv::Point at, const Template::Fine& fine) {
-    follow_limit();
-    for (std::size_t look = 0; look < fine.lost_rest.size(); ++look)
-      left_[look] = followed_ - cost_of_blocks(fine, at.x % kGroup, look);
-    for (std::size_t i = 0; i < limits_.size(); ++i) limits_[i] = left_[fine.looks[i]];
-    return compare(patch_.pixels, matcher_.spot(index_, at), limits_.data(), exact_.data());
-  }
-
   // The bound of the fine blocks that have not been compared after some looks.
   std::int64_t cost_of_blocks(const Template::Fine& fine, int column, std::size_t look) const {
     const auto sum = [&](std::size_t looks) { return looks == 0 ? 0 : fine_sums_[kGroup * (looks - 1) + column]; };
@@ -274,9 +281,8 @@ class Matcher::Search {
     return static_cast<std::int64_t>(pixel_unit_ * apart * apart);
   }
 
-  // A place whose cost is in exact_.
-  void consider(cv::Point at) {
-    const Match match{exact_.back(), index_, at};
+  void consider(cv::Point at, std::int64_t cost) {
+    const Match match{cost, index_, at};
     if (best_ && !(match < *best_)) return;
     if (!wood_.fits(view_.panel, cut_at(patch_.shape, view_.turn, view_.rotation, at).outer)) return;
     best_ = match;
@@ -303,7 +309,7 @@ class Matcher::Search {
   std::vector<std::uint16_t> whole_, upper_;  // of a row of groups; for each band
   std::vector<double> left_below_;            // a band and those above it, at most: a distance; -1: nothing
   std::array<std::vector<std::int64_t>, kGroup> fine_limits_;
-  std::vector<std::int64_t> limits_, left_, exact_, sums_, fine_sums_;
+  std::vector<std::int64_t> limits_, left_, sums_, fine_sums_;
   double pixel_unit_ = 0;
   std::optional<Match> best_;
 };

@@ -107,13 +107,11 @@ using D32 = hn::RepartitionToWide<D16>;
 using V8 = hn::Vec<D8>;
 using V32 = hn::Vec<D32>;
 
-// The sum, with the squared differences where the mask is 255.
-HWY_INLINE V32 add_squares(V8 value, V8 mask, const std::uint8_t* place, V32 sum) {
-  const D8 d8;
+// The sum, with the squared differences of a place where the mask is 255.
+HWY_INLINE V32 add_squares(V8 value, V8 mask, V8 is, V32 sum) {
   const D16 d16;
   const D32 d32;
   const hn::RebindToUnsigned<D16> du16;
-  const auto is = hn::LoadU(d8, place);
   const auto off = hn::And(hn::Or(hn::SaturatedSub(is, value), hn::SaturatedSub(value, is)), mask);
   const auto even = hn::And(hn::BitCast(d16, off), hn::Set(d16, 0xff));
   const auto odd = hn::BitCast(d16, hn::ShiftRight<8>(hn::BitCast(du16, off)));
@@ -122,6 +120,40 @@ HWY_INLINE V32 add_squares(V8 value, V8 mask, const std::uint8_t* place, V32 sum
   sum = hn::ReorderWidenMulAccumulate(d32, odd, odd, sum, rest);
   return hn::Add(sum, rest);
 }
+
+// Bytes of a row of a stencil and those that they are compared with.
+struct Stretch {
+  const std::uint8_t *values, *mask, *from;
+
+  Stretch at(std::ptrdiff_t i) const { return {values + i, mask + i, from + i}; }
+};
+
+// Sums of four places, whose bytes are `plane` apart.
+struct FourSums {
+  V32 a, b, c, d;
+
+  template <class Load>
+  HWY_INLINE void add(V8 value, V8 counts, std::ptrdiff_t plane, const Load& load) {
+    a = add_squares(value, counts, load(0), a);
+    b = add_squares(value, counts, load(plane), b);
+    c = add_squares(value, counts, load(2 * plane), c);
+    d = add_squares(value, counts, load(3 * plane), d);
+  }
+  HWY_INLINE void add(const Stretch& s, std::ptrdiff_t plane) {
+    const D8 d8;
+    add(hn::LoadU(d8, s.values), hn::LoadU(d8, s.mask), plane,
+        [&](std::ptrdiff_t off) HWY_ATTR { return hn::LoadU(d8, s.from + off); });
+  }
+  // Of each the first half of a vector.
+  HWY_INLINE void add(const Stretch& s, const Stretch& t, std::ptrdiff_t plane) {
+    const D8 d8;
+    const hn::Half<D8> half;
+    const auto both = [&](const std::uint8_t* low, const std::uint8_t* high)
+                          HWY_ATTR { return hn::Combine(d8, hn::LoadU(half, high), hn::LoadU(half, low)); };
+    add(both(s.values, t.values), both(s.mask, t.mask), plane,
+        [&](std::ptrdiff_t off) HWY_ATTR { return both(s.from + off, t.from + off); });
+  }
+};
 
 HWY_INLINE std::int64_t total(V32 sum) { return hn::GetLane(hn::SumOfLanes(D32(), sum)); }
 
@@ -147,7 +179,7 @@ bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limit
     for (const int end = std::min(rows, k + step); k < end; ++k, values += stencil.stride, mask += stencil.stride) {
       const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
       for (std::ptrdiff_t i = stencil.begins[k] / lanes * lanes; i < stencil.ends[k]; i += lanes)
-        sum = add_squares(hn::LoadU(d8, values + i), hn::LoadU(d8, mask + i), from + i, sum);
+        sum = add_squares(hn::LoadU(d8, values + i), hn::LoadU(d8, mask + i), hn::LoadU(d8, from + i), sum);
     }
     all += total(sum);
     if (k % kLook != 0 && k < rows) continue;
@@ -159,26 +191,27 @@ bool compare(const Stencil& stencil, const Spot& spot, const std::int64_t* limit
 
 unsigned compare_four(const Stencil& stencil, const Spot& spot, std::ptrdiff_t plane, const std::int64_t* limits,
                       std::int64_t* sums) {
-  const D8 d8;
-  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d8));
-  const std::uint8_t* values = stencil.values.data();
-  const std::uint8_t* mask = stencil.mask.data();
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(D8()));
+  Stretch row{stencil.values.data(), stencil.mask.data(), nullptr};
   const int rows = stencil.rows(), step = stencil.stride < kLongRow ? kLook : 1;
   std::int64_t all[4] = {0, 0, 0, 0};
   unsigned within = 15;
   for (int k = 0; k < rows;) {
-    auto a = hn::Zero(D32()), b = a, c = a, d = a;
-    for (const int end = std::min(rows, k + step); k < end; ++k, values += stencil.stride, mask += stencil.stride) {
-      const std::uint8_t* from = spot.data + spot.starts[stencil.order[k]] + spot.x;
-      for (std::ptrdiff_t i = stencil.begins[k] / lanes * lanes; i < stencil.ends[k]; i += lanes) {
-        const auto value = hn::LoadU(d8, values + i), counts = hn::LoadU(d8, mask + i);
-        a = add_squares(value, counts, from + i, a);
-        b = add_squares(value, counts, from + i + plane, b);
-        c = add_squares(value, counts, from + i + 2 * plane, c);
-        d = add_squares(value, counts, from + i + 3 * plane, d);
-      }
+    const auto zero = hn::Zero(D32());
+    FourSums four{zero, zero, zero, zero};
+    Stretch short_end{};  // of a row: half a vector or less, which waits for that of another one
+    for (const int end = std::min(rows, k + step); k < end; ++k, row = row.at(stencil.stride)) {
+      row.from = spot.data + spot.starts[stencil.order[k]] + spot.x;
+      std::ptrdiff_t i = stencil.begins[k] / lanes * lanes;
+      for (; i + lanes / 2 < stencil.ends[k]; i += lanes) four.add(row.at(i), plane);
+      if (i >= stencil.ends[k]) continue;
+      if (short_end.values)
+        four.add(std::exchange(short_end, {}), row.at(i), plane);
+      else
+        short_end = row.at(i);
     }
-    add_totals(a, b, c, d, all);
+    if (short_end.values) four.add(short_end, plane);
+    add_totals(four.a, four.b, four.c, four.d, all);
     if (k % kLook != 0 && k < rows) continue;
     for (unsigned p = 0; p < 4; ++p) {
       *sums++ = all[p];

@@ -14,11 +14,7 @@ namespace {
 constexpr double kOnBorder = 0.01;  // mm that a pin may be off the border whose vertex it holds
 
 cv::Rect box_of(const Ring& ring, cv::Size target) {
-  Point low = ring.front(), high = low;
-  for (const Point p : ring) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = bounds_of(ring);
   const cv::Point from(static_cast<int>(std::floor(low.x)), static_cast<int>(std::floor(low.y)));
   const cv::Point to(static_cast<int>(std::ceil(high.x)), static_cast<int>(std::ceil(high.y)));
   return cv::Rect(from, to) & cv::Rect({0, 0}, target);

@@ -47,15 +47,6 @@ bool vertices_are_apart(const Ring& from, const Ring& ring, const Bounds& box, d
 
 }  // namespace
 
-Bounds bounds_of(const Ring& ring) {
-  Bounds box{ring.front(), ring.front()};
-  for (const Point p : ring) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 bool contains(const Ring& ring, Point p) {
   bool inside = false;
   each_side(ring, [&](Point a, Point b) {

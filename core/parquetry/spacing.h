@@ -6,11 +6,6 @@
 
 namespace tessera::parquetry {
 
-struct Bounds {
-  Point low, high;
-};
-Bounds bounds_of(const Ring& ring);
-
 bool contains(const Ring& ring, Point p);
 double distance_to_sides(const Ring& ring, Point p);  // > 0 inside too
 double distance(const Ring& ring, Point p);           // 0 inside

@@ -8,18 +8,6 @@
 namespace tessera::statistics {
 namespace {
 
-struct Box {
-  Point low, high;
-};
-Box box_of(const Ring& ring) {
-  Box box{ring[0], ring[0]};
-  for (const Point p : ring) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 // A side ends where the outline turns by more than a tenth of a degree.
 int sides_of(const Ring& ring) {
   constexpr double kSine = 0.00175;
@@ -52,7 +40,7 @@ CellStatistics cell_statistics(const std::vector<Ring>& cells, const Window& win
   const double touch = 1e-6 * std::max(size.x, size.y);
   std::vector<Weighted> perimeters, sides;
   for (const Ring& ring : cells) {
-    const auto [low, high] = box_of(ring);
+    const auto [low, high] = bounds_of(ring);
     const bool cut = low.x <= window.low.x + touch || low.y <= window.low.y + touch ||
                      high.x >= window.high.x - touch || high.y >= window.high.y - touch;
     if (cut) continue;
