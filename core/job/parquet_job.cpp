@@ -181,8 +181,7 @@ void warn_of_narrow_patches(const parquetry::Request& request, const Params& par
                             const RunContext& context) {
   if (params.seams == parquetry::SeamKind::kNone) return;
   for (const cv::Mat3b& target : request.targets) {
-    if (parquetry::overlap_of(parquetry::grid_of(target.size(), params, mm_per_px), params, mm_per_px).stray > 0)
-      continue;
+    if (parquetry::stray_of(parquetry::grid_of(target.size(), params, mm_per_px), params, mm_per_px) > 0) continue;
     context.warn("seams stay straight: patches have no room for others, in pixels of the panels, beside minWidthMm");
     return;
   }
@@ -194,6 +193,7 @@ std::uint64_t fingerprint_of(Job job, const parquetry::Request& request, const s
   const Params usual;
   params.improve_tries = usual.improve_tries;
   params.cut_speed = usual.cut_speed;
+  params.overlap_mm = usual.overlap_mm;
   params.side = usual.side;
   params.registration = usual.registration;
   params.panels = fmt::format("{}", panels.front().mm_per_px);  // what else it says is in scans and masks

@@ -46,7 +46,11 @@ std::vector<Patch> with_quarters(std::vector<Patch> patches, const Params& param
 
 Workshop::Workshop(const std::vector<Panel>& panels, const std::vector<cv::Mat3b>& targets,
                    const std::vector<Patch>& patches, const Params& params)
-    : panels_(panels), params_(params), mm_per_px_(panels.front().mm_per_px), views_(views_of(panels, params)) {
+    : panels_(panels),
+      params_(params),
+      mm_per_px_(panels.front().mm_per_px),
+      beside_(0.5 * params.kerf_mm / mm_per_px_ + seam_play(params, mm_per_px_)),
+      views_(views_of(panels, params)) {
   const Histogram wood = histogram_of_wood(panels);
   for (const cv::Mat3b& target : targets) {
     const Tones tones = matched_tones(histogram_of(intensity_of(target), {}), wood, params.weight_histogram);
@@ -57,13 +61,13 @@ Workshop::Workshop(const std::vector<Panel>& panels, const std::vector<cv::Mat3b
     for (const Block& block : coarse_blocks(patch.mask)) sides.insert(block.side);
     reach_ = std::max(reach_, 0.5 * std::min(patch.box.width, patch.box.height));
   }
-  reach_ += (params.clearance_mm + params.kerf_mm) / mm_per_px_ + kGroup;
+  reach_ += params.clearance_mm / mm_per_px_ + 2 * beside_ + kGroup;
   matcher_.emplace(features_of_panels(panels, params), masks_of(panels), views_,
                    std::vector<int>(sides.begin(), sides.end()));
 }
 
 Template Workshop::template_of(const Patch& patch) const {
-  return make_template(patch, features_[patch.target], matcher_->code(), 0.5 * params_.kerf_mm / mm_per_px_);
+  return make_template(patch, features_[patch.target], matcher_->code(), beside_);
 }
 
 Ring Workshop::cut_of(const Template& piece, const Match& match) const {
@@ -89,9 +93,9 @@ std::optional<Match> Workshop::match_of(const Placement& placement) const {
   return {};
 }
 
-cv::Mat Workshop::features_of_wood(const Laid& laid) const {
+cv::Mat Workshop::features_of_wood(const Laid& laid, cv::Rect box) const {
   const auto match = match_of(laid.placement);
-  return match ? matcher_->features(match->view, {match->at, laid.patch.box.size()}) : cv::Mat();
+  return match ? matcher_->features(match->view, box + (match->at - laid.patch.box.tl())) : cv::Mat();
 }
 
 void Greedy::take(const Template& piece, const Match& match) {

@@ -38,12 +38,17 @@ class Workshop {
   Placement placement_of(const Template& piece, const std::optional<Match>& match) const;  // panel -1 for no match
   std::optional<Match> match_of(const Placement& placement) const;
   const cv::Mat& features_of_target(int target) const { return features_[target]; }
-  cv::Mat features_of_wood(const Laid& laid) const;  // of the size of the patch's box; empty for no wood
+  const std::vector<Panel>& panels() const { return panels_; }
+  // How far a piece's cut may be outside its outline, px: half the kerf, and what seams need.
+  double beside() const { return beside_; }
+  // Of the wood that is laid for a patch, and of that around it: for the pixels in `box` of the target. 0 beside the
+  // panel; empty for no wood.
+  cv::Mat features_of_wood(const Laid& laid, cv::Rect box) const;
 
  private:
   const std::vector<Panel>& panels_;
   Params params_;
-  double mm_per_px_, reach_ = 0;
+  double mm_per_px_, beside_, reach_ = 0;
   std::vector<View> views_;
   std::vector<cv::Mat> features_;  // of the targets
   std::optional<Matcher> matcher_;

@@ -381,10 +381,12 @@ std::int64_t Matcher::cost(const Template& patch, int view, cv::Point at) const 
 }
 
 cv::Mat Matcher::features(int view, cv::Rect box) const {
-  cv::Mat features(box.size(), CV_8UC(code_.channels));
-  for (int y = 0; y < box.height; ++y)
-    std::memcpy(features.ptr(y), frames_[view].features.at(box.y + y, box.x),
-                static_cast<std::size_t>(box.width) * code_.channels);
+  const int channels = code_.channels;
+  cv::Mat features(box.size(), CV_8UC(channels), cv::Scalar::all(0));
+  const cv::Rect inside = box & cv::Rect({0, 0}, views_[view].turn.size());
+  for (int y = inside.y; y < inside.br().y; ++y)
+    std::memcpy(features.ptr(y - box.y) + static_cast<std::ptrdiff_t>(inside.x - box.x) * channels,
+                frames_[view].features.at(y, inside.x), static_cast<std::size_t>(inside.width) * channels);
   return features;
 }
 

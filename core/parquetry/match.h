@@ -64,7 +64,7 @@ class Matcher {
   // Eq. 4 at a position where the patch's box is inside the frame.
   std::int64_t cost(const Template& patch, int view, cv::Point at) const;
 
-  // A view's features in a box inside its frame.
+  // A view's features in a box; 0 outside its frame.
   cv::Mat features(int view, cv::Rect box) const;
 
   std::size_t bytes() const;

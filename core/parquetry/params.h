@@ -240,7 +240,7 @@ void visit(Visitor& v, Params& p) {
             .ui_min = 0,
             .ui_max = 20,
             .unit = "mm",
-            .help = "Seams: how wide patches overlap, which takes more wood; 0 takes a quarter of patchMm",
+            .help = "Seams: how wide pieces may overlap, where there is wood; 0 takes a quarter of patchMm",
             .advanced = true});
   v.number(p.seam_error_mm, {.key = "seamErrorMm",
                              .min = 0.01,

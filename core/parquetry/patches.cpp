@@ -59,35 +59,30 @@ Grid grid_of(cv::Size target, const Params& params, double mm_per_px) {
   return {even_cuts(target.width, wanted, least), even_cuts(target.height, wanted, least)};
 }
 
-Overlap overlap_of(const Grid& grid, const Params& params, double mm_per_px) {
-  if (params.seams == SeamKind::kNone) return {};
+double seam_play(const Params& params, double mm_per_px) {
+  if (params.seams == SeamKind::kNone) return 0;
   // Beside the cut: its curve; at its ends the kerf's corners, those of 44 degrees (seams.h) the longest.
-  constexpr double kCorner = 0.84;
-  const double beside = std::max(params.seam_error_mm, kCorner * params.kerf_mm) / mm_per_px;
-  const int margin = static_cast<int>(std::ceil(0.5 + beside));
+  constexpr double kEvenedOut = 0.5, kCorner = 0.84;
+  return kEvenedOut + std::max(params.seam_error_mm, kCorner * params.kerf_mm) / mm_per_px;
+}
+
+int stray_of(const Grid& grid, const Params& params, double mm_per_px) {
+  if (params.seams == SeamKind::kNone) return 0;
   int narrowest = grid.columns.back() + grid.rows.back();
   for (int column = 0; column < grid.across(); ++column) narrowest = std::min(narrowest, grid.cell(column, 0).width);
   for (int row = 0; row < grid.down(); ++row) narrowest = std::min(narrowest, grid.cell(0, row).height);
   const double overlap_mm = params.overlap_mm > 0 ? params.overlap_mm : params.patch_mm / 4;
   const double half = 0.5 * overlap_mm / mm_per_px;
   const double spare = 0.5 * (narrowest - params.min_width_mm / mm_per_px) - params.seam_error_mm / mm_per_px - 0.5;
-  const int stray = static_cast<int>(std::floor(std::min(half - margin, spare)));
-  return stray > 0 ? Overlap{stray, stray + margin} : Overlap{};
+  return std::max(0, static_cast<int>(std::floor(std::min(half - seam_play(params, mm_per_px), spare))));
 }
 
 std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index) {
   const Grid grid = grid_of(target, params, mm_per_px);
-  const int growth = overlap_of(grid, params, mm_per_px).growth;
   std::vector<Patch> patches;
   for (int row = 0; row < grid.down(); ++row)
-    for (int column = 0; column < grid.across(); ++column) {
-      const cv::Rect cell = grid.cell(column, row);
-      const cv::Rect wider(cell.x - growth, cell.y - growth, cell.width + 2 * growth, cell.height + 2 * growth);
-      Patch patch = rectangle(wider & cv::Rect({0, 0}, target), row, column, 0, target_index);
-      patch.mask.setTo(0);
-      patch.mask(cell - patch.box.tl()).setTo(255);
-      patches.push_back(std::move(patch));
-    }
+    for (int column = 0; column < grid.across(); ++column)
+      patches.push_back(rectangle(grid.cell(column, row), row, column, 0, target_index));
   return patches;
 }
 

@@ -37,17 +37,17 @@ struct Grid {
 // left at its right and lower side.
 Grid grid_of(cv::Size target, const Params& params, double mm_per_px);
 
-// How far seams (seams.h) may go from where the grid has its cuts, and how far patches are grown for them, px. Less
-// than half of overlapMm by what curves may be beside the seams; so much less that pieces keep minWidthMm; 0 where
-// there are no seams, or there is no room for them.
-struct Overlap {
-  int stray = 0, growth = 0;
-};
-Overlap overlap_of(const Grid& grid, const Params& params, double mm_per_px);
+// How far the outline of a piece that seams cut may be beyond the sides of its pixels, px: its curves, and the corners
+// of the kerf around it as far as they are beyond half of it. 0 without seams.
+double seam_play(const Params& params, double mm_per_px);
 
-// A patch for each cell of the grid, row by row. With seams they take more wood than their cells at the sides where
-// they have neighbours, but their masks are the cells: the paper matches all that a patch overlaps, which leaves
-// pictures worse than straight cuts where wood is scarce.
+// How far seams (seams.h) may go from where the grid has its cuts, px. Half of overlapMm less seam_play(); so much
+// less that pieces keep minWidthMm; 0 where there are no seams, or there is no room for them.
+int stray_of(const Grid& grid, const Params& params, double mm_per_px);
+
+// A patch for each cell of the grid, row by row. With seams they are the same: the paper matches all that a patch
+// overlaps, and takes it, which leaves pictures worse than straight cuts where wood is scarce. Here pieces grow into
+// wood that is left over (spare_wood.h).
 std::vector<Patch> grid_patches(cv::Size target, const Params& params, double mm_per_px, int target_index = 0);
 
 // The four quarters of a patch, of the next level; empty where one would be narrower than minWidthMm, or the patch is

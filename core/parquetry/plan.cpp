@@ -19,11 +19,7 @@ constexpr double kPacked = 0.8;  // of the free wood, what turned pieces can be 
 
 int tone_of(int level) { return level * kTones / 256; }
 
-// Patches that overlap take more wood than their cells, which are matched.
-double around(cv::Rect cell) { return 2.0 * (cell.width + cell.height); }
-
-double length_around(const Patch& patch, const Params& params) {
-  if (params.seams != SeamKind::kNone) return around(cv::boundingRect(patch.mask));
+double length_around(const Patch& patch) {
   double length = perimeter(patch.outline.outer);
   for (const Ring& hole : patch.outline.holes) length += perimeter(hole);
   return length;
@@ -51,7 +47,7 @@ double shortage(double needed, double free) { return free > 0 ? needed / (kPacke
 }  // namespace
 
 double taken_mm2(const Patch& patch, const Params& params, double mm_per_px) {
-  const double margin = params.kerf_mm + params.clearance_mm;
+  const double margin = params.kerf_mm + params.clearance_mm + 2 * mm_per_px * seam_play(params, mm_per_px);
   const Ring& outer = patch.outline.outer;
   return mm_per_px * mm_per_px * std::abs(signed_area(outer)) + mm_per_px * perimeter(outer) / 2 * margin +
          margin * margin;
@@ -75,7 +71,7 @@ Plan plan_of(const std::vector<cv::Size>& targets, const std::vector<Patch>& pat
     plan.columns = std::max(plan.columns, patch.column + 1);
     plan.wood_mm2 += mm_per_px * mm_per_px * cv::countNonZero(patch.mask);
     plan.taken_mm2 += taken_mm2(patch, params, mm_per_px);
-    plan.cut_mm += mm_per_px * length_around(patch, params) + 4 * params.kerf_mm;
+    plan.cut_mm += mm_per_px * length_around(patch) + 4 * params.kerf_mm;
   }
   plan.minutes = plan.cut_mm / params.cut_speed / 60;
   return plan;

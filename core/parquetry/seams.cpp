@@ -9,6 +9,7 @@ namespace tessera::parquetry {
 namespace {
 
 constexpr int kRepetitions = 2;
+constexpr std::int64_t kNotFree = std::int64_t{1} << 40;  // of a pixel; more than errors of all of a target
 constexpr double kOpening = 0.4;  // tangent of 22 degrees: what is left between two seams are 46
 
 // Seams of one direction, seen as if they ran down the columns: `along` them a pixel has its row, across them its
@@ -38,7 +39,8 @@ class Direction {
     return down_ ? reconstruction_.piece(line, crossing) : reconstruction_.piece(crossing, line);
   }
   std::int64_t error(const Reconstruction::Piece& piece, int along, int place) const {
-    return down_ ? reconstruction_.error(piece, place, along) : reconstruction_.error(piece, along, place);
+    const int x = down_ ? place : along, y = down_ ? along : place;
+    return piece.may_have(x, y) ? reconstruction_.error(piece, x, y) : kNotFree;
   }
 
   // Eq. 9 in every row, over all that the line's neighbours overlap.
@@ -85,9 +87,10 @@ class Direction {
   void limit(int line, CutCosts& costs) const {
     const std::vector<int> allowed = this->allowed(line);
     for (int along = 0; along < length(); ++along)
-      for (int place = 0; place < costs.width; ++place)
-        if (std::abs(place - limits_.stray) > allowed[along])
-          costs.costs[static_cast<std::size_t>(along) * costs.width + place] = CutCosts::kNever;
+      for (int place = 0; place < costs.width; ++place) {
+        std::int64_t& cost = costs.costs[static_cast<std::size_t>(along) * costs.width + place];
+        if (cost >= kNotFree || std::abs(place - limits_.stray) > allowed[along]) cost = CutCosts::kNever;
+      }
   }
 
   // Steps that are parallel to one of a crossing seam, middle to middle nearer than `apart`.

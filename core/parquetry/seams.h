@@ -28,6 +28,9 @@ struct Reconstruction {
   struct Piece {
     cv::Rect box;      // of the patch, grown
     cv::Mat features;  // of the wood there, 8 bits; empty where there is no wood
+    cv::Mat1b free;    // 255: pixels that it may have, those of its patch always; empty: all
+
+    bool may_have(int x, int y) const { return free.empty() || free(y - box.y, x - box.x) != 0; }
   };
   Grid grid;
   cv::Mat target;             // features
@@ -69,7 +72,7 @@ struct SeamLimits {
 };
 
 // Optimal for every seam as long as those across it stay; these are found by turns, twice (the paper's two
-// repetitions). Seams beside pieces without wood are straight.
+// repetitions). Seams beside pieces without wood are straight, and no piece gets pixels that it may not have.
 Seams find_seams(const Reconstruction& reconstruction, const SeamLimits& limits);
 
 }  // namespace tessera::parquetry

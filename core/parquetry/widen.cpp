@@ -31,6 +31,29 @@ cv::Mat1f distance_to_zero(const cv::Mat1b& mask) {
   return distance;
 }
 
+// Where a piece's pixels are that it may not have, and all beyond them as seen from its cell, where the seam is that
+// gave them; places are seen from `corner`, as the piece's mask is.
+void add_places_not_free(const cv::Mat1b& mask, const Reconstruction::Piece& piece, cv::Rect cell, cv::Point corner,
+                         std::vector<cv::Rect>& places) {
+  if (piece.free.empty()) return;
+  cv::Mat1b wrong = mask.clone();
+  const cv::Rect both = piece.box & cv::Rect(corner, mask.size());
+  wrong(both - corner) &= ~piece.free(both - piece.box.tl());
+  cv::Mat1i labels;
+  cv::Mat stats, centres;
+  const int parts = cv::connectedComponentsWithStats(wrong, labels, stats, centres, 8);
+  for (int part = 1; part < parts; ++part) {
+    const int* of = stats.ptr<int>(part);
+    cv::Point first(of[cv::CC_STAT_LEFT], of[cv::CC_STAT_TOP]);
+    cv::Point last = first + cv::Point(of[cv::CC_STAT_WIDTH], of[cv::CC_STAT_HEIGHT]);
+    if (corner.x + first.x < cell.x) first.x = 0;
+    if (corner.y + first.y < cell.y) first.y = 0;
+    if (corner.x + last.x > cell.br().x) last.x = mask.cols;
+    if (corner.y + last.y > cell.br().y) last.y = mask.rows;
+    places.emplace_back(first, last);
+  }
+}
+
 bool straighten_around(const Grid& grid, int column, int row, cv::Rect place, Seams& seams) {
   const cv::Range x(place.x - kAround, place.x + place.width + kAround),
       y(place.y - kAround, place.y + place.height + kAround);
@@ -81,7 +104,8 @@ bool straighten(Seam& seam, int line, cv::Range rows, cv::Range places) {
   return moved;
 }
 
-void widen(const Grid& grid, int stray, double width, Seams& seams) {
+void widen(const Reconstruction& reconstruction, int stray, double width, Seams& seams) {
+  const Grid& grid = reconstruction.grid;
   std::vector<bool> unsure(static_cast<std::size_t>(grid.across()) * grid.down(), stray > 0);
   // Each time it lessens what is too much, or finds nothing to do.
   for (bool moved = true; moved;) {
@@ -91,8 +115,10 @@ void widen(const Grid& grid, int stray, double width, Seams& seams) {
       for (int i = range.start; i < range.end; ++i) {
         if (!unsure[i]) continue;
         cv::Point corner;
-        const cv::Mat1b mask = mask_of(grid, seams, stray, i % grid.across(), i / grid.across(), corner);
+        const int column = i % grid.across(), row = i / grid.across();
+        const cv::Mat1b mask = mask_of(grid, seams, stray, column, row, corner);
         narrow[i] = narrow_places(mask, width);
+        add_places_not_free(mask, reconstruction.pieces[i], grid.cell(column, row), corner, narrow[i]);
         for (cv::Rect& place : narrow[i]) place += corner;
       }
     });

@@ -14,9 +14,9 @@ std::vector<cv::Rect> narrow_places(const cv::Mat1b& piece, double width);
 // beside them as far as keeps it 6-connected. Whether it has moved.
 bool straighten(Seam& seam, int line, cv::Range rows, cv::Range places);
 
-// Straightens seams until no piece is narrower than `width` px where a seam could do something about it. Seams are at
-// most `stray` px off the grid's lines, and stay so.
-void widen(const Grid& grid, int stray, double width, Seams& seams);
+// Straightens seams until no piece is narrower than `width` px where a seam could do something about it, nor has
+// pixels that it may not have. Seams are at most `stray` px off the grid's lines, and stay so.
+void widen(const Reconstruction& reconstruction, int stray, double width, Seams& seams);
 
 // Of the pixels along all seams but the borders, the share that differs.
 double share_moved(const Seams& before, const Seams& after);

@@ -35,6 +35,14 @@ std::vector<Span> group_spans(const Turn& turn) {
 
 }  // namespace
 
+cv::Mat1f depth_of(const cv::Mat1b& mask) {
+  cv::Mat1b framed;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::Mat1f depth;
+  cv::distanceTransform(framed, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  return depth(cv::Rect({1, 1}, mask.size()));  // no copy: it takes 4 bytes a pixel
+}
+
 std::vector<View> views_of(const std::vector<Panel>& panels, const Params& params) {
   std::vector<View> views;
   for (int panel = 0; panel < static_cast<int>(panels.size()); ++panel)
@@ -63,15 +71,11 @@ Wood::Wood(const std::vector<Panel>& panels, const std::vector<View>& views, dou
 void Wood::measure_depth(const Panel& panel, Sheet& sheet) const {
   sheet.size = panel.mask.size();
   sheet.mask = panel.mask;
-  cv::Mat1b framed;
-  cv::copyMakeBorder(panel.mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::Mat1f depth;
-  cv::distanceTransform(framed, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  sheet.depth = depth(cv::Rect({1, 1}, sheet.size));  // no copy: it takes 4 bytes a pixel
-  sheet.missing = cv::Mat1i(sheet.size.height, sheet.size.width + 1, 0);
+  sheet.depth = depth_of(panel.mask);
+  sheet.missing = cv::Mat1w(sheet.size.height, sheet.size.width + 1, std::uint16_t{0});
   for (int y = 0; y < sheet.size.height; ++y)
     for (int x = 0; x < sheet.size.width; ++x)
-      sheet.missing(y, x + 1) = sheet.missing(y, x) + (panel.mask(y, x) == 0 ? 1 : 0);
+      sheet.missing(y, x + 1) = static_cast<std::uint16_t>(sheet.missing(y, x) + (panel.mask(y, x) == 0 ? 1 : 0));
   sheet.columns = sheet.size.width / kBin + 1;
   sheet.rows = sheet.size.height / kBin + 1;
   sheet.rims.resize(static_cast<std::size_t>(sheet.columns) * sheet.rows);

@@ -14,6 +14,9 @@
 
 namespace tessera::parquetry {
 
+// How far it is from a pixel's middle to that of the next that is no wood, px; beside the panel none are.
+cv::Mat1f depth_of(const cv::Mat1b& mask);
+
 // A panel in one of its rotations.
 struct View {
   int panel = 0;
@@ -55,8 +58,8 @@ class Wood {
   struct Sheet {
     cv::Size size;
     cv::Mat1b mask;
-    cv::Mat1f depth;                           // from a pixel's middle to that of the next that is no wood
-    cv::Mat1i missing;                         // of each row, how many pixels left of a column are no wood
+    cv::Mat1f depth;
+    cv::Mat1w missing;                         // of each row, how many pixels left of a column are no wood, mod 2^16
     int columns = 0, rows = 0;                 // of bins
     std::vector<std::vector<cv::Point>> rims;  // of each bin: pixels that are no wood beside some that are
     std::vector<std::vector<int>> cuts;        // of each bin: cuts whose bounds touch it, in ascending order
