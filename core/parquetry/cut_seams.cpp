@@ -42,9 +42,9 @@ Reconstruction reconstruction_of(const Workshop& workshop, const SpareWood& spar
     for (int k = range.start; k < range.end; ++k) {
       const std::size_t i = first + k;
       const cv::Rect cell = patches[i].box;
-      const cv::Rect box = cv::Rect(cell.x - growth, cell.y - growth, cell.width + 2 * growth,
-                                    cell.height + 2 * growth) &
-                           cv::Rect({0, 0}, size);
+      const cv::Rect box =
+          cv::Rect(cell.x - growth, cell.y - growth, cell.width + 2 * growth, cell.height + 2 * growth) &
+          cv::Rect({0, 0}, size);
       reconstruction.pieces[k] = {box, workshop.features_of_wood({patches[i], placements[i]}, box),
                                   spare.around(i, box)};
     }

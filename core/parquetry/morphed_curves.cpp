@@ -88,17 +88,20 @@ bool is_sound(Point a, Point b, Point c, double least_width) {
   return 2 * std::abs(cross(b - a, c - a)) / around >= least_width;
 }
 
-// Whether a piece holds together: its roomiest place, its necks, and that no disc of the least width misses more of it
-// than in a corner of 44 degrees. Most miss so little that larger pixels tell.
+// Whether a piece holds together: its roomiest place, its necks, and that no disc a little larger than the least
+// width misses more of it than in a corner of 45 degrees; a little, since whether two corners' parts meet depends on
+// how pixels lie. Most miss so little that larger pixels tell.
 bool is_wide(const Ring& ring, double width) {
-  constexpr double kTail = 1.25, kClearlyNone = 0.7;  // squared radii; pixels add or take some hundredths
+  constexpr double kTail = 1.37, kClearlyNone = 0.7;  // squared radii; pixels add or take some hundredths
+  constexpr double kMore = 2;                         // pixels
   const Polygon polygon{ring, {}};
   const auto has_tails = [&](double least, double precision, double most) {
     return largest_thin_part(polygon, least, precision).area > most * width * width / 4;
   };
   const double precision = fair_precision(polygon, 0.01 * width), coarse = 3 * precision;
   if (2 * largest_inscribed(polygon, 0.001 * width).radius < width) return false;
-  if (has_tails(width + coarse, coarse, kClearlyNone) && has_tails(width, precision, kTail)) return false;
+  if (has_tails(width + coarse, coarse, kClearlyNone) && has_tails(width + kMore * precision, precision, kTail))
+    return false;
   return narrowest_neck(polygon, width - precision, precision).width >= width - precision;
 }
 

@@ -79,12 +79,18 @@ bool MorphingGrid::is_sound(int column, int row) const {
   const Point corners[] = {vertex(column, row), vertex(column + 1, row), vertex(column + 1, row + 1),
                            vertex(column, row + 1)};
   const Point middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  double sizes[4], taken[4];  // what a disc in a corner takes of its sides, in radii: cot(angle / 2)
   for (int i = 0; i < 4; ++i) {
     const Point side = corners[(i + 1) % 4] - corners[i], back = corners[(i + 3) % 4] - corners[i];
-    const double sizes = length(side) * length(back), cosine = dot(side, back);
-    if (!(cross(side, back) > 0) || cosine > kSharpest * sizes || cosine < kBluntest * sizes) return false;
-    if (cross(side, middle - corners[i]) < least_radius_ * length(side)) return false;
+    sizes[i] = length(side);
+    const double both = sizes[i] * length(back), cosine = dot(side, back), sine = cross(side, back);
+    if (!(sine > 0) || cosine > kSharpest * both || cosine < kBluntest * both) return false;
+    if (cross(side, middle - corners[i]) < least_radius_ * sizes[i]) return false;
+    taken[i] = (both + cosine) / sine;
   }
+  // A disc that rolls along a side reaches both its corners: no end is too narrow for it.
+  for (int i = 0; i < 4; ++i)
+    if (sizes[i] < least_radius_ * (taken[i] + taken[(i + 1) % 4])) return false;
   return true;
 }
 

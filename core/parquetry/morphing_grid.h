@@ -12,7 +12,7 @@ namespace tessera::parquetry {
 
 // A mass-spring-damper system, Eq. 7, solved by explicit Euler. Vertices on a border slide along it, those in the
 // corners stay. A vertex goes no step that would fold a cell, make one of its corners sharper than 55 degrees or
-// blunter than 150, or leave less room in it than a disc of `least_width`.
+// blunter than 150, or leave it less room than for a disc of `least_width`, or an end that is too narrow for one.
 class MorphingGrid {
  public:
   // All in pixels of the target. `edges` outlive this. `weight`: w of Eq. 7, for cells of side 1 and m = 1.

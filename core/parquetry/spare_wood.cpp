@@ -67,7 +67,8 @@ cv::Mat1b SpareWood::around(std::size_t patch, cv::Rect box) const {
   };
   for (int y = 0; y < box.height; ++y)
     for (int x = 0; x < box.width; ++x)
-      if (free(y, x) == 0 && is_free(cell.on_panel(Point{box.x + x + 0.5, box.y + y + 0.5} - middle))) free(y, x) = 255;
+      if (free(y, x) == 0 && is_free(cell.on_panel(Point{box.x + x + 0.5, box.y + y + 0.5} - middle)))
+        free(y, x) = 255;
   return free;
 }
 
