@@ -6,7 +6,7 @@
 //
 // "Interactive" is when somebody who has just arrived can work, whether the engine is there or not: watch() below.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
@@ -17,11 +17,17 @@ import { root } from '../tests/e2e/root.mjs';
 const [jobsOnly, words] = [process.argv[2] === '--jobs', process.argv.slice(2)];
 const sample = (name) => join(root, 'public/samples', name);
 const jobs = [
-  { technique: 'pavement', command: 'pave', role: 'drawing', picture: sample('waves.png'), format: 'svg' },
-  { technique: 'mosaic', command: 'mosaic', role: 'photo', picture: sample('fruit.png'), format: 'svg' },
-  { technique: 'pebbles', command: 'pebbles', role: 'photo', picture: sample('pebbles.png'), format: 'glb' },
+  { technique: 'pavement', inputs: { drawing: sample('waves.png') }, format: 'svg' },
+  { technique: 'mosaic', inputs: { photo: sample('fruit.png') }, format: 'svg' },
+  { technique: 'pebbles', inputs: { photo: sample('pebbles.png') }, format: 'glb' },
+  {
+    technique: 'parquetry',
+    inputs: { target: sample('fruit.png'), 'panel-walnut': sample('panels/walnut.png') },
+    params: { imageSizeMm: 100, patchMm: 8, rotations: 8, resolutionDpi: 75, panels: 'walnut dpi=100' }, // as in the page
+    format: 'folder',
+  },
 ];
-if (!jobsOnly && words.length > 0) jobs[0].picture = words[0];
+if (!jobsOnly && words.length > 0) jobs[0].inputs.drawing = words[0];
 const site = join(root, 'web/dist');
 const kRuns = 7;
 const kRounds = 4; // of native and Chromium in turn
@@ -31,30 +37,40 @@ const say = (what, value) => console.log(`${what.padEnd(58)} ${value}`);
 function weight(variant) {
   const files = readdirSync(site, { recursive: true }).filter(
     (name) =>
-      /\.(js|mjs|css|html|wasm)$/.test(name) && !/UTIF|sw\.js/.test(name) && (!/^engine/.test(name) || name.includes(variant)),
+      /\.(js|mjs|css|html|wasm)$/.test(name) &&
+      !/UTIF|sw\.js/.test(name) &&
+      (!/^engine/.test(name) || name.includes(variant)),
   );
   return files.reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(site, name))).length, 0);
 }
 
 /** Milliseconds of the best run, by what the native program reports: from pixels to the file's bytes. */
-function native({ command, picture, format }, threads) {
+function native({ technique, params, inputs, format }, threads) {
   const folder = mkdtempSync(join(tmpdir(), 'tessera-'));
-  const report = join(folder, 'report.json');
+  const [job, report] = [join(folder, 'job.json'), join(folder, 'report.json')];
+  writeFileSync(job, JSON.stringify({ schemaVersion: 1, technique, params, inputs }));
+  const result = format === 'folder' ? 'pieces' : `pieces.${format}`;
   const times = Array.from({ length: kRuns }, () => {
     execFileSync(join(root, 'build/native-release/bin/tessera'), [
-      ...[command, picture, '-o', join(folder, `pieces.${format}`), '--backend', 'cpu', '--threads', threads, '--quiet'],
+      ...['run', job, '-o', join(folder, result), '--backend', 'cpu', '--threads', threads, '--quiet'],
       ...['--report', report],
     ]);
     const { stages } = JSON.parse(readFileSync(report, 'utf8'));
-    return stages.filter(({ name }) => !['decode', 'backend', 'write'].includes(name)).reduce((sum, { ms }) => sum + ms, 0);
+    return stages
+      .filter(({ name }) => !['decode', 'backend', 'write'].includes(name))
+      .reduce((sum, { ms }) => sum + ms, 0);
   });
   rmSync(folder, { recursive: true });
   return Math.min(...times);
 }
 
 /** The same in a worker of Chromium, without the page around it. */
-async function inBrowser(browser, { technique, role, picture, format }, threads) {
-  const host = await serve({ '/package/': join(root, 'web/package/dist'), '/': join(root, 'bench/app') }, { isolated: true });
+async function inBrowser(browser, { technique, params, inputs, format }, threads) {
+  const pictures = Object.entries(inputs).map(([role, path]) => [role, readFileSync(path).toString('base64')]);
+  const host = await serve(
+    { '/package/': join(root, 'web/package/dist'), '/': join(root, 'bench/app') },
+    { isolated: true },
+  );
   const page = await browser.newPage();
   await page.goto(`${host.address}/index.html`);
   const times = await page.evaluate(
@@ -65,7 +81,7 @@ async function inBrowser(browser, { technique, role, picture, format }, threads)
         worker.onerror = (event) => reject(new Error(event.message));
         worker.postMessage(task);
       }),
-    { technique, role, format, bytes: readFileSync(picture).toString('base64'), count: kRuns + 1, threads },
+    { technique, params, pictures, format, count: kRuns + 1, threads },
   );
   await page.close();
   await host.stop();
@@ -136,7 +152,10 @@ async function visit(browser, host) {
   await tab.getByRole('button', { name: 'Generate', exact: true }).click();
   await tab.waitForTimeout(100);
   await tab.getByRole('link', { name: 'Download PNG' }).waitFor();
-  const still = await tab.evaluate((from) => window.figures.still.filter(([at]) => at > from).map(([, ms]) => ms), begin);
+  const still = await tab.evaluate(
+    (from) => window.figures.still.filter(([at]) => at > from).map(([, ms]) => ms),
+    begin,
+  );
   await context.close();
   return { ...figures, still: Math.max(0, ...still) };
 }

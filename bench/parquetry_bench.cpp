@@ -124,12 +124,12 @@ parquetry::Reconstruction pieces_900() {
                            cv::Rect({0, 0}, made.target.size());
       const cv::Point at(static_cast<int>(rng.uniform(0, wood.cols - box.width)),
                          static_cast<int>(rng.uniform(0, wood.rows - box.height)));
-      made.pieces.push_back({box, wood(cv::Rect(at, box.size())).clone()});
+      made.pieces.push_back({box, wood(cv::Rect(at, box.size())).clone(), {}});
     }
   return made;
 }
 
-constexpr parquetry::SeamLimits kLimits{8, 4.4, 4.4};
+constexpr parquetry::SeamLimits kLimits{8, 2.95, 4.4};
 constexpr double kWidth = 30, kError = 0.59;  // px: 5 mm, 0.1 mm
 
 void seams(benchmark::State& state) {
@@ -137,7 +137,7 @@ void seams(benchmark::State& state) {
   const parquetry::Reconstruction made = pieces_900();
   for (auto _ : state) {
     parquetry::Seams found = find_seams(made, kLimits);
-    widen(made.grid, kLimits.stray, kWidth, found);
+    widen(made, kLimits.stray, kWidth, found);
     benchmark::DoNotOptimize(found);
   }
 }

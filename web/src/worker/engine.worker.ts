@@ -42,7 +42,7 @@ const kPreviewShare = 8; // of the time, at most one in so many parts goes into 
 const kManyPieces = 50_000;
 const kSmallPiece = 3; // px²
 const kPanelSide = 1400; // px of a panel's picture on the page
-const kGrowingPause = 80; // ms
+const kGrowingPause = 250; // ms; each takes the page a frame, where graphics are drawn in software a good part of a core
 const kManySteps = 50;
 const kNoGround = '#96928a';
 const kGround = /<rect [^>]*fill="(#[0-9a-f]{6})"/;
