@@ -105,7 +105,7 @@ void append_header(std::string& out, std::size_t width, std::size_t height, int 
   append_u32(data, width);
   append_u32(data, height);
   data += static_cast<char>(bits);
-  data += type;
+  data += static_cast<char>(type);
   data += std::string_view("\x00\x00\x00", 3);  // deflate, filter a line, not interlaced
   append_chunk(out, "IHDR", data);
 }

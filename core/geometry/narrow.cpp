@@ -81,12 +81,9 @@ Neck narrowest_neck(const Polygon& polygon, double width, double precision) {
   const Pixels pixels(polygon, precision);
   cv::Mat1i parts;
   if (deep_parts(pixels.depth(), width / 2 / precision, parts) < 2) return {};
-  double least = width;
-  for (double narrower = 0; narrower < width; narrower += precision)
-    if (deep_parts(pixels.depth(), narrower / 2 / precision, parts) > 1) {
-      least = narrower;
-      break;
-    }
+  double least = 0;
+  while (least < width && deep_parts(pixels.depth(), least / 2 / precision, parts) < 2) least += precision;
+  least = std::min(least, width);
   deep_parts(pixels.depth(), least / 2 / precision, parts);
   return {least, pixels.at(between(parts))};
 }
@@ -104,8 +101,8 @@ ThinPart largest_thin_part(const Polygon& polygon, double width, double precisio
   for (int part = 1; part < count; ++part)
     if (stats.at<int>(part, cv::CC_STAT_AREA) > area) area = stats.at<int>(largest = part, cv::CC_STAT_AREA);
   if (largest == 0) return {};
-  const cv::Point middle(static_cast<int>(centroids.at<double>(largest, 0) + 0.5),
-                         static_cast<int>(centroids.at<double>(largest, 1) + 0.5));
+  const cv::Point middle(static_cast<int>(std::lround(centroids.at<double>(largest, 0))),
+                         static_cast<int>(std::lround(centroids.at<double>(largest, 1))));
   return {area * precision * precision, pixels.at(middle)};
 }
 

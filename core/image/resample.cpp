@@ -46,6 +46,7 @@ cv::Mat3b resampled(const ImageView& picture, Ratio across, Ratio down, cv::Size
   const std::vector<Span> columns = spans(across, picture.width, size.width),
                           rows = spans(down, picture.height, size.height);
   const cv::Mat3b source = picture.mat();
+  constexpr std::int64_t kAll = std::int64_t{kOne} * kOne;
   cv::Mat3b out(size);
   cv::parallel_for_({0, size.height}, [&](const cv::Range& range) {
     std::vector<int> line(3 * static_cast<std::size_t>(source.cols));
@@ -60,7 +61,7 @@ cv::Mat3b resampled(const ImageView& picture, Ratio across, Ratio down, cv::Size
           std::int64_t sum = 0;
           for (std::size_t k = 0; k < columns[x].weights.size(); ++k)
             sum += std::int64_t{columns[x].weights[k]} * line[3 * (columns[x].first + k) + c];
-          out(y, x)[c] = static_cast<std::uint8_t>((sum + kOne * (kOne / 2)) / (kOne * std::int64_t{kOne}));
+          out(y, x)[c] = static_cast<std::uint8_t>((sum + kAll / 2) / kAll);
         }
     }
   });

@@ -150,7 +150,7 @@ std::string shown(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return "a list";
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-  if (text.size() > kLongestShown) text.replace(kLongestShown, std::string::npos, "...");
+  if (text.size() > kLongestShown) text.erase(kLongestShown).append("...");
   return text;
 }
 

@@ -68,9 +68,11 @@ Stroke outline_of(const std::string& id, const Polygon& outline) {
 void append_pages(double left, double width, double height, std::vector<Page>& pages) {
   constexpr double kWide = 190, kHigh = 277;  // what a printer reaches
   constexpr double kRest = 1e-9;
-  for (double y = 0; y < height - kRest; y += kHigh)
-    for (double x = 0; x < width - kRest; x += kWide)
+  for (int row = 0; row * kHigh < height - kRest; ++row)
+    for (int column = 0; column * kWide < width - kRest; ++column) {
+      const double x = column * kWide, y = row * kHigh;
       pages.push_back({left + x, y, std::min(kWide, width - x), std::min(kHigh, height - y)});
+    }
 }
 
 }  // namespace

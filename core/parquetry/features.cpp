@@ -36,7 +36,7 @@ Tones after(const Tones& first, const Tones& then) {
 
 // One channel into the interleaved features; the source has `channels` of them.
 void fill(const cv::Mat& from, int channel, const Tones& tones, cv::Mat& features, int to) {
-  const int in = from.channels(), out = features.channels();
+  const std::ptrdiff_t in = from.channels(), out = features.channels();
   for (int y = 0; y < features.rows; ++y) {
     const std::uint8_t* source = from.ptr(y) + channel;
     std::uint8_t* row = features.ptr(y) + to;
@@ -69,7 +69,7 @@ cv::Mat1b edges_of(const cv::Mat1b& intensity) {
         const int down = below[l] - above[l] + 2 * (below[x] - above[x]) + below[r] - above[r];
         // Of whole numbers below 2^24: exact before the root, which is rounded alike everywhere.
         const float magnitude = std::sqrt(static_cast<float>(across * across + down * down));
-        edges(y, x) = static_cast<std::uint8_t>(std::min(255, static_cast<int>(0.25f * magnitude + 0.5f)));
+        edges(y, x) = static_cast<std::uint8_t>(std::min(255, static_cast<int>(0.25f * (magnitude + 2))));
       }
     }
   });

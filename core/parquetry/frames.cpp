@@ -77,7 +77,7 @@ Rows Turn::turned(const cv::Mat& picture, int around) const {
       const std::int64_t px = (x_at(x, y) - (std::int64_t{1} << 31)) >> 24,
                          py = (y_at(x, y) - (std::int64_t{1} << 31)) >> 24;
       const int left = static_cast<int>(px >> 8), top = static_cast<int>(py >> 8);
-      const int x1 = std::max(0, left), x2 = std::min(picture.cols - 1, left + 1);
+      const std::ptrdiff_t x1 = std::max(0, left), x2 = std::min(picture.cols - 1, left + 1);
       const std::uint8_t* upper = picture.ptr(std::max(0, top));
       const std::uint8_t* lower = picture.ptr(std::min(picture.rows - 1, top + 1));
       blend<kChannels>(upper + x1 * kChannels, upper + x2 * kChannels, lower + x1 * kChannels, lower + x2 * kChannels,

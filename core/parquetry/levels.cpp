@@ -56,18 +56,19 @@ class ColumnSums {
       square += square_[x];
     }
     window_.resize(2 * static_cast<std::size_t>(end - begin));
+    std::size_t next = 0;
     for (int x = begin; x < end; ++x) {
       sum += sum_[x + side - 1];
       square += square_[x + side - 1];
-      window_[2 * (x - begin)] = sum;
-      window_[2 * (x - begin) + 1] = square;
+      window_[next++] = sum;
+      window_[next++] = square;
       sum -= sum_[x];
       square -= square_[x];
     }
     // n Q - S^2 <= (n 255)^2, which is below 2^32 for blocks of 16 x 16 pixels.
     const auto pixels = static_cast<std::uint32_t>(side * side);
     const float share = 1.0f / static_cast<float>(pixels);
-    for (int i = 0; i < end - begin; ++i) {
+    for (std::size_t i = 0; i < window_.size() / 2; ++i) {
       const std::uint32_t s = window_[2 * i], q = window_[2 * i + 1];
       mean[i] = share * static_cast<float>(s);
       deviation[i] = share * std::sqrt(static_cast<float>(pixels * q - s * s));
@@ -140,7 +141,7 @@ Moments moments_of(const cv::Mat& features, int channel, cv::Rect block) {
   std::int64_t sum = 0, square = 0;
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x) {
-      const int v = features.ptr(y)[x * features.channels() + channel];
+      const std::int64_t v = features.ptr(y, x)[channel];
       sum += v;
       square += v * v;
     }
@@ -163,7 +164,7 @@ Rows fine_level(const Rows& features, const std::vector<Span>& pixels, const std
       columns.measure(kGroup, begin, end, mean.data(), deviation.data());
       for (int y = g * kGroup; y < (g + 1) * kGroup; ++y) columns.remove(y);
       for (int x = begin; x < end; ++x) {
-        std::uint8_t* to = level.at(g, x / kGroup, x % kGroup) + 2 * c;
+        std::uint8_t* to = level.at(g, x / kGroup, x % kGroup) + std::ptrdiff_t{2} * c;
         to[0] = code.mean_byte(mean[x - begin], c);
         to[1] = code.deviation_byte(deviation[x - begin]);
       }

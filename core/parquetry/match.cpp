@@ -256,7 +256,7 @@ class Matcher::Search {
   // What fine blocks may sum up to at each look, if the coarse ones above them cost no more than their bounds.
   void limit_fine(int group_x, bool bounded) {
     const double all = bytes_within(followed_, kGroup * kGroup, matcher_.code_.scale);
-    const double unit = static_cast<double>(1 << coarser_) * (kUnit / (kGroup * kGroup));
+    const double unit = std::ldexp(1.0 * kUnit / (kGroup * kGroup), coarser_);
     left_below_.assign(1, std::sqrt(all));
     for (std::size_t band = 0; bounded && band < patch_.coarse.bands.size(); ++band) {
       const double left = all - unit * upper_[band * upper_stride() + group_x];

@@ -11,7 +11,7 @@ namespace tessera::parquetry {
 // What is compared with a place of a picture of bytes: rows of them, and 255 in `mask` for each that counts.
 struct Stencil {
   Stencil() = default;
-  Stencil(std::vector<int> order, int bytes);  // zeros
+  Stencil(std::vector<int> rows, int bytes);  // zeros
 
   int rows() const { return static_cast<int>(order.size()); }
 

@@ -286,7 +286,7 @@ void check(const Params& p, Report&& report) {
       report("seams", "are set where the grid is morphed, expected none: they join patches of a regular grid");
     if (p.adaptive_levels > 0)
       report("adaptiveLevels", "is above 0 where the grid is morphed, expected 0: only rectangles are quartered");
-    read_pins(p.pins, [&](const std::string& message) { report("pins", message.c_str()); });
+    read_pins(p.pins, [&](const std::string& message) { report("pins", message); });
   } else if (!p.pins.empty()) {
     report("pins", "are set where the grid is regular, expected none, or grid morphed");
   }
@@ -296,7 +296,7 @@ void check(const Params& p, Report&& report) {
     if (p.overlap_mm > p.patch_mm - p.min_width_mm)
       report("overlapMm", "is more than patchMm less minWidthMm, expected at most that");
   }
-  read_panel_options(p.panels, [&](const std::string& message) { report("panels", message.c_str()); });
+  read_panel_options(p.panels, [&](const std::string& message) { report("panels", message); });
 }
 
 }  // namespace tessera::parquetry

@@ -25,7 +25,7 @@ Patch rectangle(cv::Rect box, int row, int column, int level, int target) {
 }  // namespace
 
 cv::Mat3b at_resolution(const cv::Mat3b& target, const Params& params, double mm_per_px) {
-  const int shorter = std::min(target.cols, target.rows);
+  const std::int64_t shorter = std::min(target.cols, target.rows);
   const int wanted = std::max(1, static_cast<int>(std::lround(params.image_size_mm / mm_per_px)));
   const auto size = [&](int side) {
     return side == shorter ? wanted : static_cast<int>((2 * std::int64_t{side} * wanted + shorter) / (2 * shorter));
@@ -90,7 +90,8 @@ std::vector<Patch> quarters(const Patch& patch, const Params& params, double mm_
   const cv::Rect& box = patch.box;
   if (patch.outline.outer.size() != 4 || !patch.outline.holes.empty() || cv::countNonZero(patch.mask) != box.area())
     return {};
-  if (std::min(box.width, box.height) / 2 < std::max(1.0, params.min_width_mm / mm_per_px)) return {};
+  const int half = std::min(box.width, box.height) / 2;
+  if (half < std::max(1.0, params.min_width_mm / mm_per_px)) return {};
   const Grid grid{{box.x, box.x + box.width / 2, box.x + box.width},
                   {box.y, box.y + box.height / 2, box.y + box.height}};
   std::vector<Patch> parts;

@@ -20,7 +20,7 @@ double grain_of(const cv::Mat1b& grey, const Polygon& outline) {
   each_run(outline, grey.cols, grey.rows, [&](int y, int begin, int end) {
     if (y < 1 || y + 1 >= grey.rows) return;
     for (int x = std::max(begin, 1); x < std::min(end, grey.cols - 1); ++x) {
-      const int gx = grey(y, x + 1) - grey(y, x - 1), gy = grey(y + 1, x) - grey(y - 1, x);
+      const std::int64_t gx = grey(y, x + 1) - grey(y, x - 1), gy = grey(y + 1, x) - grey(y - 1, x);
       difference += gx * gx - gy * gy;
       product += 2 * gx * gy;
     }

@@ -139,8 +139,8 @@ Seams straight_seams(const Grid& grid) {
 std::int64_t Reconstruction::error(const Piece& piece, int x, int y) const {
   if (piece.features.empty()) return 0;
   const int channels = target.channels();
-  const std::uint8_t* wanted = target.ptr(y) + x * channels;
-  const std::uint8_t* have = piece.features.ptr(y - piece.box.y) + (x - piece.box.x) * channels;
+  const std::uint8_t* wanted = target.ptr(y, x);
+  const std::uint8_t* have = piece.features.ptr(y - piece.box.y, x - piece.box.x);
   int sum = 0;
   for (int k = 0; k < channels; ++k) sum += (wanted[k] - have[k]) * (wanted[k] - have[k]);
   return sum;

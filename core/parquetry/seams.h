@@ -61,7 +61,7 @@ struct CutCosts {
 
 // The place of the cheapest cut in each row, by dynamic programming; of equal ones that with straight steps, from the
 // end on, and the end nearest to the middle. There is one.
-std::vector<int> cheapest_cut(const CutCosts& costs);
+std::vector<int> cheapest_cut(const CutCosts& given);
 
 // Where seams may not be, so that pieces can be made; px.
 struct SeamLimits {

@@ -17,8 +17,8 @@ Density density_of(const ImageView& picture, const Window& window) {
   double sum = 0;
   for (int y = 0; y < picture.height; ++y) {
     const std::uint8_t* row = picture.pixels + y * picture.stride;
-    for (int x = 0; x < picture.width; ++x) {
-      const int levels = row[3 * x] + row[3 * x + 1] + row[3 * x + 2];
+    for (int x = 0; x < picture.width; ++x, row += 3) {
+      const int levels = row[0] + row[1] + row[2];
       density.values.push_back(1 - levels / 765.0);
       sum += density.values.back();
     }

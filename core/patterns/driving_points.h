@@ -11,7 +11,7 @@
 namespace tessera::patterns {
 
 // Points in the window, and within `reach` of it where it is not periodic.
-std::vector<Point> driving_points(const ImageView& density, const Params& params, const Window& window, double reach,
+std::vector<Point> driving_points(const ImageView& picture, const Params& params, const Window& window, double reach,
                                   Rng& rng);
 
 // How far beyond the window points matter to Voronoi cells in it.

@@ -122,14 +122,14 @@ std::vector<Point> cluster_points(const Window& window, double parents, double f
 
 std::vector<Point> matern1_points(const Window& window, double alpha, double d, Rng& rng) {
   const Window realm = with_surroundings(window, 2 * d);
-  const std::vector<Point> points = poisson_points(realm, alpha, rng);
+  std::vector<Point> points = poisson_points(realm, alpha, rng);
   if (d <= 0) return points;
   return inhibited(window, realm, points, d, [](int, int) { return true; });
 }
 
 std::vector<Point> matern2_points(const Window& window, double alpha, double d, Rng& rng) {
   const Window realm = with_surroundings(window, 2 * d);
-  const std::vector<Point> points = poisson_points(realm, alpha, rng);  // in the order in which they come
+  std::vector<Point> points = poisson_points(realm, alpha, rng);  // in the order in which they come
   if (d <= 0) return points;
   return inhibited(window, realm, points, d, [](int i, int k) { return k < i; });
 }

@@ -154,14 +154,15 @@ int reseed_empty_near(Sites& sites, const std::vector<CellMoments>& moments, dou
     Site& site = sites[i];
     const auto [row, column] = bin_of(site);
     std::size_t best = sites.size();
+    std::int64_t most = 0;
     for (int y = row - 1; y <= row + 1; ++y) {
       for (int x = column - 1; x <= column + 1; ++x) {
         for (const std::size_t k : bins[{y, x}]) {
           const double dx = sites[k].x - site.x, dy = sites[k].y - site.y;
           if (taken[k] || sites[k].zone != site.zone || dx * dx + dy * dy > reach * reach) continue;
-          const bool larger = best == sites.size() || moments[k].count > moments[best].count ||
-                              (moments[k].count == moments[best].count && k < best);
-          if (larger) best = k;
+          if (moments[k].count < most || (moments[k].count == most && k > best)) continue;
+          best = k;
+          most = moments[k].count;
         }
       }
     }

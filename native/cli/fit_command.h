@@ -18,6 +18,6 @@ struct FitCommand {
 // The flags of the command, which `fit` is filled from as it parses.
 CLI::App& add_fit_command(CLI::App& app, FitCommand& fit);
 // Fits and writes; the exit status.
-int run_fit(const FitCommand& fit);
+int run_fit(const FitCommand& command);
 
 }  // namespace tessera

@@ -66,7 +66,7 @@ void take_panels(const std::vector<std::string>& given, Job& job, std::string& o
       } else if (word == "mask") {
         mask = value;
       } else if (!word.empty()) {
-        rest += " " + word + "=" + value;
+        rest.append(" ").append(word).append("=").append(value);
       }
     }
     const std::string& scan = parts.front().second;
@@ -75,7 +75,7 @@ void take_panels(const std::vector<std::string>& given, Job& job, std::string& o
     if (!job.inputs.emplace("panel-" + name, scan).second)
       refuse(text, "is a second panel called " + name + ", expected a name of its own");
     if (!mask.empty()) job.inputs["mask-" + name] = mask;
-    if (!rest.empty()) options += (options.empty() ? "" : "; ") + name + rest;
+    if (!rest.empty()) options.append(options.empty() ? "" : "; ").append(name).append(rest);
   }
 }
 

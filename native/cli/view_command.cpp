@@ -241,7 +241,7 @@ int run_view(const View& view) {
   std::optional<JobThread> thread;
   if (Job* job = std::get_if<Job>(&*opened)) {
     if (view.settings.seed) job->seed = *view.settings.seed;
-    thread.emplace(*std::move(job), std::filesystem::path(view.path).parent_path().string(), view.settings, feed);
+    thread.emplace(std::move(*job), std::filesystem::path(view.path).parent_path().string(), view.settings, feed);
   } else {
     feed.show(std::get<view::Content>(*std::move(opened)));
     feed.end(true);

@@ -14,7 +14,7 @@ namespace {
 
 // Three bytes a pixel, over white.
 cv::Mat3b colours_of(const Raster& raster) {
-  const int bytes = raster.bits / 8, channels = raster.channels;
+  const std::ptrdiff_t bytes = raster.bits / 8, channels = raster.channels;
   cv::Mat3b colours(raster.height, raster.width);
   const std::uint8_t* from = raster.bytes.data();
   for (cv::Vec3b& to : colours) {

@@ -19,6 +19,7 @@ namespace tessera::view {
 
 // `sdl.Init` is SDL_Init.
 struct Sdl {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member is declared without
 #define TESSERA_SDL_MEMBER(name) decltype(&::SDL_##name) name = nullptr;
   TESSERA_SDL_FUNCTIONS(TESSERA_SDL_MEMBER)
 #undef TESSERA_SDL_MEMBER
