@@ -8,6 +8,7 @@
 #include "tessera/parquetry/seams.h"
 #include "tessera/parquetry/spare_wood.h"
 #include "tessera/parquetry/widen.h"
+#include "tessera/parquetry/wood.h"
 
 namespace tessera::parquetry {
 namespace {
@@ -21,7 +22,6 @@ constexpr double kHalfPixel = 0.5;
 // nearer to the middles of theirs.
 SpareWood spare_wood_of(const Workshop& workshop, const std::vector<Placement>& placements,
                         const std::vector<Patch>& patches) {
-  constexpr double kHalfDiagonal = 0.70710678118654757;
   const double clearance = workshop.params().clearance_mm / workshop.mm_per_px(), beside = workshop.beside();
   return SpareWood(workshop.panels(), patches, placements, clearance + 2 * (beside + kHalfPixel),
                    clearance + kHalfDiagonal + beside + kHalfPixel);

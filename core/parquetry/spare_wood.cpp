@@ -56,7 +56,6 @@ cv::Mat1b SpareWood::around(std::size_t patch, cv::Rect box) const {
   const double reach = std::max(box.width, box.height);  // more than from the middle to a corner
   const std::vector<const Cell*> others = near(cell, 2 * reach + apart_);
   const Point middle{own.x + 0.5 * own.width, own.y + 0.5 * own.height};
-  constexpr double kHalfDiagonal = 0.70710678118654757;  // a place is that far from its pixel's middle, at most
   const auto is_free = [&](Point p) {
     if (p.x < 0 || p.y < 0 || p.x >= depth.cols || p.y >= depth.rows) return false;
     if (depth(static_cast<int>(p.y), static_cast<int>(p.x)) < inside_ + kHalfDiagonal) return false;

@@ -12,8 +12,6 @@
 namespace tessera::parquetry {
 namespace {
 
-constexpr double kHalfDiagonal = 0.70710678118654757;  // of a pixel
-
 // Positions of a group are 1.5 px across and down from its middle at most.
 constexpr double kGroupReach = 1.5 * 1.4142135623730951 + 1e-6;
 

@@ -14,6 +14,8 @@
 
 namespace tessera::parquetry {
 
+inline constexpr double kHalfDiagonal = 0.70710678118654757;  // of a pixel: no place is farther from its middle
+
 // How far it is from a pixel's middle to that of the next that is no wood, px; beside the panel none are.
 cv::Mat1f depth_of(const cv::Mat1b& mask);
 
