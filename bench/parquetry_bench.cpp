@@ -119,9 +119,7 @@ parquetry::Reconstruction pieces_900() {
   Rng rng(2, RngPurpose::kNoise);
   for (int row = 0; row < kAcross; ++row)
     for (int column = 0; column < kAcross; ++column) {
-      const cv::Rect cell = made.grid.cell(column, row);
-      const cv::Rect box = cv::Rect(cell.x - kGrowth, cell.y - kGrowth, kSide + 2 * kGrowth, kSide + 2 * kGrowth) &
-                           cv::Rect({0, 0}, made.target.size());
+      const cv::Rect box = made.grid.around(column, row, kGrowth);
       const cv::Point at(static_cast<int>(rng.uniform(0, wood.cols - box.width)),
                          static_cast<int>(rng.uniform(0, wood.rows - box.height)));
       made.pieces.push_back({box, wood(cv::Rect(at, box.size())).clone(), {}});

@@ -33,18 +33,14 @@ Reconstruction reconstruction_of(const Workshop& workshop, const SpareWood& spar
                                  std::size_t first) {
   Reconstruction reconstruction;
   reconstruction.target = workshop.features_of_target(patches[first].target);
-  const cv::Size size = reconstruction.target.size();
-  reconstruction.grid = grid_of(size, workshop.params(), workshop.mm_per_px());
+  reconstruction.grid = grid_of(reconstruction.target.size(), workshop.params(), workshop.mm_per_px());
   const int growth = stray_of(reconstruction.grid, workshop.params(), workshop.mm_per_px()) +
                      static_cast<int>(std::ceil(seam_play(workshop.params(), workshop.mm_per_px())));
   reconstruction.pieces.resize(static_cast<std::size_t>(reconstruction.grid.across()) * reconstruction.grid.down());
   cv::parallel_for_({0, static_cast<int>(reconstruction.pieces.size())}, [&](const cv::Range& range) {
     for (int k = range.start; k < range.end; ++k) {
       const std::size_t i = first + k;
-      const cv::Rect cell = patches[i].box;
-      const cv::Rect box =
-          cv::Rect(cell.x - growth, cell.y - growth, cell.width + 2 * growth, cell.height + 2 * growth) &
-          cv::Rect({0, 0}, size);
+      const cv::Rect box = reconstruction.grid.around(patches[i].column, patches[i].row, growth);
       reconstruction.pieces[k] = {box, workshop.features_of_wood({patches[i], placements[i]}, box),
                                   spare.around(i, box)};
     }

@@ -31,14 +31,20 @@ struct Grid {
   cv::Rect cell(int column, int row) const {
     return {columns[column], rows[row], columns[column + 1] - columns[column], rows[row + 1] - rows[row]};
   }
+  // A cell and what of the target is `margin` px around it.
+  cv::Rect around(int column, int row, int margin) const {
+    const cv::Point by(margin, margin);
+    const cv::Rect own = cell(column, row);
+    return cv::Rect(own.tl() - by, own.br() + by) & cv::Rect(0, 0, columns.back(), rows.back());
+  }
 };
 
 // Rectangles near to patchMm and no narrower than minWidthMm. They are fitted to the target evenly: no thin rest is
 // left at its right and lower side.
 Grid grid_of(cv::Size target, const Params& params, double mm_per_px);
 
-// How far the outline of a piece that seams cut may be beyond the sides of its pixels, px: its curves, and the corners
-// of the kerf around it as far as they are beyond half of it. 0 without seams.
+// How far the outline of a piece that seams cut may be beyond the sides of its pixels, px: its curves, and the
+// corners of the kerf around it as far as they are beyond half of it. 0 without seams.
 double seam_play(const Params& params, double mm_per_px);
 
 // How far seams (seams.h) may go from where the grid has its cuts, px. Half of overlapMm less seam_play(); so much

@@ -13,9 +13,7 @@ constexpr int kAround = 2;       // px
 
 // Piece (column, row) in a frame of a pixel; `corner` becomes where the frame's first pixel is on the target.
 cv::Mat1b mask_of(const Grid& grid, const Seams& seams, int stray, int column, int row, cv::Point& corner) {
-  const cv::Rect cell = grid.cell(column, row);
-  const cv::Rect wider = cv::Rect(cell.x - stray, cell.y - stray, cell.width + 2 * stray, cell.height + 2 * stray) &
-                         cv::Rect(0, 0, grid.columns.back(), grid.rows.back());
+  const cv::Rect wider = grid.around(column, row, stray);
   corner = wider.tl() - cv::Point(1, 1);
   cv::Mat1b mask(wider.height + 2, wider.width + 2, static_cast<std::uint8_t>(0));
   for (int y = wider.y; y < wider.y + wider.height; ++y)

@@ -89,10 +89,7 @@ Reconstruction made_up(Rng& rng, int across, int down, int side, int growth, dou
   made.target = fill(size);
   for (int row = 0; row < down; ++row)
     for (int column = 0; column < across; ++column) {
-      const cv::Rect cell = made.grid.cell(column, row);
-      const cv::Rect box =
-          cv::Rect(cell.x - growth, cell.y - growth, cell.width + 2 * growth, cell.height + 2 * growth) &
-          cv::Rect({0, 0}, size);
+      const cv::Rect box = made.grid.around(column, row, growth);
       made.pieces.push_back({box, rng.uniform() < missing ? cv::Mat() : fill(box.size()), {}});
     }
   return made;
