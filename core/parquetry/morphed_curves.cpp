@@ -92,7 +92,7 @@ bool is_sound(Point a, Point b, Point c, double least_width) {
 // width misses more of it than in a corner of 45 degrees; a little, since whether two corners' parts meet depends on
 // how pixels lie. Most miss so little that larger pixels tell.
 bool is_wide(const Ring& ring, double width) {
-  constexpr double kTail = 1.37, kClearlyNone = 0.7;  // squared radii; pixels add or take some hundredths
+  constexpr double kTail = 1.3, kClearlyNone = 0.7;  // squared radii; pixels add or take some hundredths
   constexpr double kMore = 2;                         // pixels
   const Polygon polygon{ring, {}};
   const auto has_tails = [&](double least, double precision, double most) {

@@ -89,8 +89,13 @@ bool straighten(Seam& seam, int line, cv::Range rows, cv::Range places) {
   const int length = static_cast<int>(seam.size());
   constexpr int kFree = std::numeric_limits<int>::max() / 2;
   std::vector<int> limits(length, kFree);
-  for (int k = std::max(0, rows.start); k < std::min(length, rows.end); ++k)
-    if (places.start <= seam[k] && seam[k] < places.end) limits[k] = 3 * std::abs(seam[k] - line) / 4;
+  const int first = std::max(0, rows.start), end = std::min(length, rows.end);
+  int farthest = 0;
+  for (int k = first; k < end; ++k)
+    if (places.start <= seam[k] && seam[k] < places.end) farthest = std::max(farthest, std::abs(seam[k] - line));
+  const int limit = 7 * farthest / 8;
+  for (int k = first; k < end; ++k)
+    if (places.start <= seam[k] && seam[k] < places.end) limits[k] = limit;
   for (int k = 1; k < length; ++k) limits[k] = std::min(limits[k], limits[k - 1] + 1);
   for (int k = length - 1; k-- > 0;) limits[k] = std::min(limits[k], limits[k + 1] + 1);
   bool moved = false;

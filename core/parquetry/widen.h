@@ -10,8 +10,9 @@ namespace tessera::parquetry {
 // of 46 degrees leaves. `piece`: 255 inside, with a frame of 0.
 std::vector<cv::Rect> narrow_places(const cv::Mat1b& piece, double width);
 
-// Takes a seam a quarter of the way back to its line of the grid, in those of `rows` where it is in `places`, and
-// beside them as far as keeps it 6-connected. Whether it has moved.
+// Where a seam is in `places`, in those of `rows`, it becomes an eighth less far from its line of the grid than the
+// farthest of them is, and beside them as far as keeps it 6-connected: little of a seam is moved where little is
+// wrong. Whether it has moved.
 bool straighten(Seam& seam, int line, cv::Range rows, cv::Range places);
 
 // Straightens seams until no piece is narrower than `width` px where a seam could do something about it, nor has
