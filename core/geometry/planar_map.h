@@ -20,6 +20,11 @@ struct PlanarMap {
   int corners(int cell) const { return first[cell + 1] - first[cell]; }
   int next(int cell, int slot) const { return slot + 1 < first[cell + 1] ? slot + 1 : first[cell]; }
   int previous(int cell, int slot) const { return slot > first[cell] ? slot - 1 : first[cell + 1] - 1; }
+  std::vector<Point> outline(int cell) const {
+    std::vector<Point> outline;
+    for (int slot = first[cell]; slot < first[cell + 1]; ++slot) outline.push_back(at(slot));
+    return outline;
+  }
   Point at(int slot) const { return shift.empty() ? vertices[ring[slot]] : vertices[ring[slot]] + shift[slot]; }
 };
 

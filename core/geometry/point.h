@@ -22,4 +22,11 @@ inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
 
+// To multiples of 2^-16, whose sums and differences are exact: what is computed from such points does not tell where
+// the origin is.
+inline Point snapped(Point p) {
+  constexpr double kPerUnit = 65536;
+  return {std::floor(kPerUnit * p.x + 0.5) / kPerUnit, std::floor(kPerUnit * p.y + 0.5) / kPerUnit};
+}
+
 }  // namespace tessera

@@ -94,8 +94,7 @@ void untangle(const CellGraph& graph, Tessellation& t) {
   for (bool again = true; again;) {
     again = false;
     for (int cell = 0; cell < t.cells(); ++cell) {
-      Ring ring;
-      for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) ring.push_back(t.map.at(slot));
+      const Ring ring = t.map.outline(cell);
       if (ring.empty() || (signed_area(ring) > 0 && is_simple(ring))) continue;
       for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) {
         const int v = t.map.ring[slot];
@@ -159,8 +158,7 @@ Point back_to_edge(const Tessellation& t, const Fields& fields, int vertex, Poin
 
 std::vector<Ring> whole_cells(const Tessellation& t) {
   std::vector<Ring> rings(t.cells());
-  for (int cell = 0; cell < t.cells(); ++cell)
-    for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot) rings[cell].push_back(t.map.at(slot));
+  for (int cell = 0; cell < t.cells(); ++cell) rings[cell] = t.map.outline(cell);
   return rings;
 }
 

@@ -70,8 +70,7 @@ void move_to_edges(PlanarMap& map, const Diagram& diagram, const Fields& fields)
 
 // Each polygon alone: no wide angles, no tiny edges, but four vertices at least.
 Ring separate(const PlanarMap& map, int cell, double cosine, double shortest) {
-  Ring ring;
-  for (int slot = map.first[cell]; slot < map.first[cell + 1]; ++slot) ring.push_back(map.at(slot));
+  Ring ring = map.outline(cell);
   const auto drop_while = [&](const auto& useless) {
     for (std::size_t i = 0; i < ring.size() && ring.size() > 4;) {
       const Point a = ring[(i + ring.size() - 1) % ring.size()], b = ring[(i + 1) % ring.size()];

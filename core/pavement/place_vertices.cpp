@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/core/utility.hpp>
 
+#include "tessera/geometry/polygon.h"
 #include "tessera/pavement/bend_arcs.h"
 #include "tessera/voronoi/equidistant.h"
 
@@ -132,6 +133,17 @@ class Placer {
   std::vector<SiteDistance> frames_;
 };
 
+// What is smaller than a stone by far is a speck of the drawing, and too small for vertices to slide around it: which
+// way they would go, the least difference decides.
+void hold_specks(Tessellation& t) {
+  constexpr double kSpeck = 0.25;  // h squared
+  for (int cell = 0; cell < t.cells(); ++cell) {
+    if (std::abs(signed_area(t.map.outline(cell))) > kSpeck * t.half_side[cell] * t.half_side[cell]) continue;
+    for (int slot = t.map.first[cell]; slot < t.map.first[cell + 1]; ++slot)
+      if (Freedom& freedom = t.freedom[t.map.ring[slot]]; freedom == Freedom::kFrontier) freedom = Freedom::kFixed;
+  }
+}
+
 }  // namespace
 
 bool to_frontier(const Zones& zones, int a, int b, double limit, Point& p) {
@@ -171,6 +183,8 @@ Tessellation place_vertices(const Diagram& diagram, const Fields& fields) {
       placer.place(graph.junctions[i], t.map.vertices[i], t.freedom[i], t.normal[i], t.between[i]);
   });
   bend_arcs(diagram, fields, t);
+  hold_specks(t);
+  for (Point& p : t.map.vertices) p = snapped(p);
   return t;
 }
 

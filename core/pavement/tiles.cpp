@@ -169,7 +169,7 @@ class Paver {
     std::vector<char> flat = matched;
     relax(
         laid, flat, [&](int vertex, Point p) { return back_to_frontier(laid, fields, vertex, p); },
-        {.first_row = static_cast<double>(fields.origin.y)}, pins);
+        {.origin = fields.origin}, pins);
     if (auto go_on = context_.check(); !go_on) return go_on;
 
     const cv::Rect own = scaled(tile, whole_.scale);

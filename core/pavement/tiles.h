@@ -17,11 +17,10 @@ namespace tessera::pavement {
 // The halo of the iterations and that of the stones, in half sides.
 inline constexpr double kSiteHalo = 64, kStoneHalo = 32;
 
-// Where a stone lies farther than this from tile borders, in half sides, it is that of run(); in drawings of hairlines,
-// specks or more than two colours not each. Sites are: those so far from a window's border know nothing of it. But
-// straightening (relax.h) goes from stone to stone, in one round as far as their order leads, and where a stone is
-// about to be tangled little decides.
-inline constexpr double kSameBeyond = 32;
+// Where a stone lies farther than this from tile borders, in half sides, it is that of run(). Nothing forbids that
+// some stone is not: what a stone does reaches those around it less and less, but where one is about to be tangled,
+// little decides.
+inline constexpr double kSameBeyond = 48;
 
 // Takes the stones of a tile; its sheet has the size of the whole drawing, the ids go on from the tile before.
 using TakePart = std::function<Result<void>(Output part)>;

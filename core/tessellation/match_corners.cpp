@@ -17,7 +17,7 @@ constexpr double kSquareness = 0.25;  // weight of right angles against distance
 constexpr double kAlignment = 4;      // weight of sides along the cell's frame, if it has one
 constexpr double kTooFar = 1.2;       // largest rise of a stone's badness that one flat angle may cost
 constexpr double kChange = 0.01;      // least cost of a link in a chain of changes
-constexpr int kSearchLimit = 300;     // links an augmenting search may look at
+constexpr int kLongestChain = 8;      // links: what is farther away has no say in a cell's flat angles
 constexpr int kLargestCell = 24;      // vertices of a cell; larger ones stay as they are
 
 // A flat angle that may be: at `vertex`, for `cell`.
@@ -179,7 +179,7 @@ class Matcher {
   // A link of a chain: `gained` becomes flat in its cell, which lost `lost` (-1 at the start) to the link before.
   struct Link {
     double cost;
-    int gained, lost, before;
+    int gained, lost, before, length;
   };
 
   // Cheapest chain by which `start` gets one more flat angle: it takes one from a stone, which takes one from
@@ -189,7 +189,7 @@ class Matcher {
     open_.clear();
     lost_.clear();
     expand(start, -1, -1, 0);
-    for (int looked = 0; !open_.empty() && looked < kSearchLimit; ++looked) {
+    while (!open_.empty()) {
       const int at = open_.front().second;
       std::pop_heap(open_.begin(), open_.end(), std::greater<>());
       open_.pop_back();
@@ -200,7 +200,8 @@ class Matcher {
         --spare_[start];
         return true;
       }
-      if (!candidate_at_[held] || std::find(lost_.begin(), lost_.end(), held) != lost_.end()) continue;
+      if (link.length == kLongestChain || !candidate_at_[held]) continue;
+      if (std::find(lost_.begin(), lost_.end(), held) != lost_.end()) continue;
       const int cell = cell_of_[held];
       if (in_chain(at, cell)) continue;
       lost_.push_back(held);
@@ -212,13 +213,14 @@ class Matcher {
   // Opens the links by which a cell that loses one flat angle (-1: none) gains another.
   void expand(int cell, int lost, int before, double cost) {
     const double now = badness(cell, -1, -1);
+    const int length = before < 0 ? 1 : links_[before].length + 1;
     for (int s = map_.first[cell]; s < map_.first[cell + 1]; ++s) {
       if (!free_candidate(s) || s == lost) continue;
       const double step = badness(cell, lost, s) - now;
       if (step > kTooFar) continue;
       open_.push_back({cost + std::max(kChange, step), static_cast<int>(links_.size())});
       std::push_heap(open_.begin(), open_.end(), std::greater<>());
-      links_.push_back({cost + std::max(kChange, step), s, lost, before});
+      links_.push_back({cost + std::max(kChange, step), s, lost, before, length});
     }
   }
 

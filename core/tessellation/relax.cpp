@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <opencv2/core/utility.hpp>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double kSlide = 0.35;     // of h: how far a vertex slides along a frontier
 constexpr double kTouching = 0.02;  // of h: corners nearer than this are one
-constexpr double kBand = 1024;      // px: height of the bands that are relaxed side by side
+constexpr double kBlock = 24;       // of the largest h: side of the blocks that are relaxed side by side
 constexpr double kMargin = 0.15;    // of the line between its neighbours: how near a vertex comes to either
 
 class Relaxer {
@@ -26,23 +27,25 @@ class Relaxer {
     list_corners();
   }
 
-  // One round moves corner after corner, each from where the last one left its neighbours. Bands of the picture have
-  // no vertex in common, so they go side by side; what lies across their borders goes last.
+  // One round moves corner after corner, each from where the last one left its neighbours. Every other block of the
+  // picture, across and down, has no vertex in common with the rest of those, so they go side by side.
   //
   // `pull`: how strongly vertices are drawn back to where they began.
   void round(double pull) {
     cv::parallel_for_({0, static_cast<int>(nodes_.size())}, [&](const cv::Range& range) {
       for (int v = range.start; v < range.end; ++v) {
         Node& node = nodes_[v];
+        node.p = snapped(node.p);
         if (node.freedom == Freedom::kFrontier || (pull > 0 && node.freedom != Freedom::kFixed))
           move(node, pull * (node.begin - node.p));
       }
     });
-    cv::parallel_for_({0, static_cast<int>(bands_.size())}, [&](const cv::Range& range) {
-      for (int band = range.start; band < range.end; ++band)
-        for (const Corner& corner : bands_[band]) straighten(corner);
-    });
-    for (const Corner& corner : across_) straighten(corner);
+    for (const auto& blocks : blocks_)
+      cv::parallel_for_({0, static_cast<int>(blocks.size())}, [&](const cv::Range& range) {
+        for (int block = range.start; block < range.end; ++block)
+          for (const Corner& corner : blocks[block]) straighten(corner);
+      });
+    for (const Corner& corner : far_) straighten(corner);
   }
 
   // Draws the corners of pieces with four towards the rectangle in the piece's frame that fits them best.
@@ -79,7 +82,7 @@ class Relaxer {
 
   // Moves the tessellation's vertices to where the rounds have led.
   void apply() {
-    for (std::size_t v = 0; v < nodes_.size(); ++v) map_.vertices[v] = nodes_[v].p;
+    for (std::size_t v = 0; v < nodes_.size(); ++v) map_.vertices[v] = snapped(nodes_[v].p);
   }
 
   // Undoes the moves of tangled pieces, until none is left that undoing helps.
@@ -242,11 +245,10 @@ class Relaxer {
     return static_cast<int>(shifts_.size()) - 1;
   }
 
+  // Corners of a block move vertices within half a block around it. Others, at stones longer than that, go last.
   void list_corners() {
-    std::size_t bands = 1;
-    for (int v = 0; v < static_cast<int>(nodes_.size()); ++v) bands = std::max(bands, band_of(v) + 1);
-    bands_.resize(bands);
-    for (auto& band : bands_) band.reserve(map_.ring.size() / bands);
+    if (!t_.half_side.empty()) block_ = kBlock * *std::max_element(t_.half_side.begin(), t_.half_side.end());
+    std::map<std::pair<int, int>, std::vector<Corner>> blocks;
     for (int cell = 0; cell < map_.cells(); ++cell) {
       for (int slot = map_.first[cell]; slot < map_.first[cell + 1]; ++slot) {
         const int v = map_.ring[slot];
@@ -254,17 +256,23 @@ class Relaxer {
         if (t_.freedom[v] != Freedom::kFree) continue;
         const int previous = map_.previous(cell, slot), next = map_.next(cell, slot);
         const int before = map_.ring[previous], after = map_.ring[next];
-        const std::size_t band = band_of(v);
-        const bool inside = band_of(before) == band && band_of(after) == band;
-        (inside ? bands_[band] : across_)
-            .push_back({v, before, after, shifts_of(slot, previous, next), flat_[slot] != 0});
+        const Corner corner{v, before, after, shifts_of(slot, previous, next), flat_[slot] != 0};
+        (is_near(v, before) && is_near(v, after) ? blocks[block_of(v)] : far_).push_back(corner);
       }
     }
+    for (auto& [block, corners] : blocks)
+      blocks_[2 * (block.first & 1) + (block.second & 1)].push_back(std::move(corners));
   }
 
-  std::size_t band_of(int vertex) const {
-    return static_cast<std::size_t>(
-        std::max(0.0, std::ceil((nodes_[vertex].begin.y + params_.first_row) / kBand) - 1));
+  bool is_near(int a, int b) const {
+    const Point way = nodes_[a].begin - nodes_[b].begin;
+    return std::max(std::fabs(way.x), std::fabs(way.y)) < 0.5 * block_;
+  }
+
+  std::pair<int, int> block_of(int vertex) const {
+    const Point p = nodes_[vertex].begin;
+    return {static_cast<int>(std::floor((p.y + params_.origin.y) / block_)),
+            static_cast<int>(std::floor((p.x + params_.origin.x) / block_))};
   }
 
   void straighten(const Corner& corner) {
@@ -290,8 +298,9 @@ class Relaxer {
   const std::vector<char>& flat_;
   const RelaxParams& params_;
   std::vector<Node> nodes_;
-  std::vector<std::vector<Corner>> bands_;
-  std::vector<Corner> across_;
+  double block_ = 1;                            // side
+  std::vector<std::vector<Corner>> blocks_[4];  // those of even rows and columns, of even rows and odd columns, ...
+  std::vector<Corner> far_;
   std::vector<std::pair<Point, Point>> shifts_;
   // Of square_up(): how each slot's corner shall move, their sum and number for each vertex.
   std::vector<Point> way_, pull_;

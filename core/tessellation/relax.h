@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <opencv2/core/types.hpp>
 #include <vector>
 
 #include "tessera/tessellation/tessellation.h"
@@ -14,7 +15,9 @@ using Back = std::function<Point(int vertex, Point p)>;
 
 // Projects the constraints one after the other, in rounds: a flat slot's vertex onto the line between its neighbours,
 // which give way a little; other corners out of hollows. Frontier and border vertices slide only along theirs.
-//
+// A round takes what moves in a block of 24 h no farther than into the blocks around it, and begins from places that
+// do not tell where the origin is: far from its border, a part of a picture comes out as in the whole
+// (pavement/tiles.h).
 struct RelaxParams {
   int rounds = 30;
   double pull = 0.2;  // how strongly vertices are drawn back to where they began, in the first half of the rounds
@@ -22,7 +25,7 @@ struct RelaxParams {
   // How far a flat vertex may be off its piece's side in the end, in h, to count as flat: away from the piece, which
   // leaves a gap, and into it, which makes its neighbours overlap it.
   double gap = 0.15, overlap = 0.15;
-  double first_row = 0;        // of a part of a picture: where in the picture it begins
+  cv::Point origin{};          // of a part of a picture: where in the picture it begins
   bool frontiers_too = false;  // whether that holds for vertices on frontiers, not among pieces of one zone alone
 };
 
