@@ -2,6 +2,7 @@
 import json
 import pathlib
 import re
+import subprocess
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -85,6 +86,20 @@ def installed_packages():
     return set(re.search(r'^packages=\((.*?)\)', setup, re.MULTILINE | re.DOTALL)[1].split())
 
 
+def is_debian(release):
+    name = pathlib.Path('/etc/os-release')
+    lines = name.read_text(encoding='utf-8').splitlines() if name.exists() else []
+    return 'ID=debian' in lines and f'VERSION_ID="{release}"' in lines
+
+
+def version_of_package(name):
+    """As upstream has it: 1:1.2.13.dfsg-1 -> 1.2.13.dfsg; empty where it is not installed."""
+    answer = subprocess.run(['dpkg-query', '-W', '-f', '${db:Status-Status} ${source:Upstream-Version}', name],
+                            capture_output=True, text=True, check=False).stdout
+    status, _, version = answer.partition(' ')
+    return version if status == 'installed' else ''
+
+
 class ThirdParty(unittest.TestCase):
     def setUp(self):
         self.rows = tables((ROOT / 'THIRD_PARTY.md').read_text(encoding='utf-8'))
@@ -146,6 +161,17 @@ class Supply(unittest.TestCase):
             self.assertEqual(package['version'].split('.')[:len(version)], version, folder)
             checked += 1
         self.assertGreater(checked, 10)
+
+    @unittest.skipUnless(is_debian(12), 'the list has the versions of Debian 12')
+    def test_versions_are_those_of_the_system(self):
+        checked = 0
+        for row in self.rows:
+            for package in re.findall(r'`([^`]+)`', row.get('Packages', '')):
+                installed = version_of_package(package)
+                if row.get('Version') and installed:
+                    self.assertRegex(installed, r'(^|git)' + re.escape(row['Version'].replace('-', '')) + r'(?!\d)', package)
+                    checked += 1
+        self.assertGreater(checked, 20)
 
     def test_versions_are_those_that_webassembly_is_built_of(self):
         text = (ROOT / 'scripts/wasm-dependencies').read_text(encoding='utf-8')

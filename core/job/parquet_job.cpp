@@ -16,6 +16,7 @@
 #include "tessera/parquetry/panels.h"
 #include "tessera/parquetry/patches.h"
 #include "tessera/parquetry/plan.h"
+#include "tessera/parquetry/previews.h"
 #include "tessera/parquetry/run.h"
 #include "tessera/parquetry/state.h"
 
@@ -107,6 +108,21 @@ PieceSheet sheet_of(const Parquetry& made) {
                             mean_colour(made.panels[piece.panel], piece)});
   }
   return sheet;
+}
+
+// Draws wood in place of its mean colours.
+void draw_wood(const Parquetry& made, Raster& picture) {
+  cv::Mat3b drawn(picture.height, picture.width, reinterpret_cast<cv::Vec3b*>(picture.bytes.data()));
+  const std::vector<int> lefts = parquetry::side_by_side(made.targets);
+  const double scale = static_cast<double>(picture.width) / lefts.back();
+  for (std::size_t i = 0; i < made.targets.size(); ++i) {
+    Raster wood = parquetry::finished_preview(made.panels, made.pieces, static_cast<int>(i) + 1, made.targets[i]);
+    cv::Mat3b scaled(wood.height, wood.width, reinterpret_cast<cv::Vec3b*>(wood.bytes.data()));
+    if (scale != 1) cv::resize(scaled, scaled, {}, scale, scale, cv::INTER_LINEAR);
+    const cv::Rect place(static_cast<int>(std::lround(scale * lefts[i])), 0, scaled.cols, scaled.rows);
+    const cv::Rect within = place & cv::Rect({0, 0}, drawn.size());
+    scaled(within - place.tl()).copyTo(drawn(within));
+  }
 }
 
 // In the parameters' units: seconds at the speed of cutting, ways between the cuts not counted.
@@ -359,6 +375,7 @@ Result<Outcome> run_parquet_job(const Job& job, const Pictures& pictures, Raster
   add_targets(output, made->targets.size(), outcome);
   add_wood(*made, outcome);
   outcome.folder = [made] { return parquet_folder(*made); };
+  outcome.finish = [made](Raster& picture) { draw_wood(*made, picture); };
   return outcome;
 }
 

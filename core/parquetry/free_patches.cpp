@@ -20,7 +20,9 @@ namespace tessera::parquetry {
 namespace {
 
 // The nearest pixel of `from` for each of `to`.
-int nearest(int i, int from, int to) { return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * to)); }
+int nearest(int i, int from, int to) {
+  return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{to}));
+}
 
 std::optional<Flaw> flaw_of(const Polygon& outline, const Params& params, double mm_per_px) {
   constexpr double kPrecisionMm = 0.01, kRoughMm = 0.03;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tessera/base/rng.h"
+#include "tessera/formats/formats.h"
 #include "tessera/job/parameters.h"
 #include "tessera/job/techniques.h"
 #include "tessera/voronoi/cpu_rasterizer.h"
@@ -63,6 +64,16 @@ class ParquetJobTest : public ::testing::Test {
   cv::Mat3b target = noise({40, 40}, 1), panel = noise({100, 80}, 2);
   std::vector<std::string> stages;
 };
+
+// A pixel of it to one of the boards'.
+TEST_F(ParquetJobTest, ItsPictureIsThatOfItsFolder) {
+  const auto made = run();
+  ASSERT_TRUE(made);
+  std::string preview;
+  for (const Artifact& file : made->folder())
+    if (file.name == "preview.png") preview = file.bytes;
+  EXPECT_EQ(write_png(draw_picture(*made, 1)), preview);
+}
 
 TEST_F(ParquetJobTest, BeginsItsGridForPeopleToWorkOn) {
   std::unique_ptr<parquetry::LiveGrid> grid;
