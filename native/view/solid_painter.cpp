@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <glm/gtc/type_ptr.hpp>
 #include <opencv2/core.hpp>
+#include <optional>
+#include <utility>
 
 #include "shaders.h"
 #include "tessera/view/texture.h"
@@ -53,7 +55,8 @@ void SolidPainter::show(const Scene& scene, const std::vector<PlacedMesh>& place
   instances_.clear();
   for (const PlacedMesh& p : placed) instances_.push_back({static_cast<std::size_t>(p.mesh), glm::mat4(p.place)});
   std::stable_sort(instances_.begin(), instances_.end(), [&](const Instance& a, const Instance& b) {
-    return meshes_[a.mesh].texture < meshes_[b.mesh].texture;
+    const Range &one = meshes_[a.mesh], &other = meshes_[b.mesh];
+    return std::pair(one.colours, one.bumps) < std::pair(other.colours, other.bumps);
   });
 }
 
@@ -63,8 +66,11 @@ void SolidPainter::upload_meshes(const Scene& scene) {
   meshes_.clear();
   for (const Mesh& mesh : scene.meshes) {
     const auto base = static_cast<std::uint32_t>(vertices.size());
+    const Surface surface = mesh.surface < 0 ? Surface{} : scene.surfaces[static_cast<std::size_t>(mesh.surface)];
+    const std::size_t none = scene.textures.size();
     meshes_.push_back({indices.size(), mesh.indices->size(),
-                       mesh.surface < 0 ? -1 : scene.surfaces[static_cast<std::size_t>(mesh.surface)].colour});
+                       surface.colour < 0 ? none : static_cast<std::size_t>(surface.colour),
+                       surface.normals < 0 ? none + 1 : static_cast<std::size_t>(surface.normals)});
     append_vertices(mesh, vertices);
     for (const std::uint32_t index : *mesh.indices) indices.push_back(base + index);
   }
@@ -86,6 +92,7 @@ void SolidPainter::upload_textures(const Scene& scene) {
            {.wrap = texture.mirrored ? GL_MIRRORED_REPEAT : GL_CLAMP_TO_EDGE}, textures_.emplace_back());
   }
   upload(cv::Mat3b(1, 1, cv::Vec3b(255, 255, 255)), {}, textures_.emplace_back());
+  upload(cv::Mat3b(1, 1, cv::Vec3b(128, 128, 255)), {}, textures_.emplace_back());
 }
 
 void SolidPainter::draw(const OrbitCamera& camera) {
@@ -94,22 +101,27 @@ void SolidPainter::draw(const OrbitCamera& camera) {
   glEnable(GL_DEPTH_TEST);
   program_.use();
   glBindVertexArray(layout_.id());
-  glActiveTexture(GL_TEXTURE0);
   glUniform1i(program_.uniform("picture"), 0);
+  glUniform1i(program_.uniform("bumps"), 1);
   glUniformMatrix4fv(program_.uniform("view_projection"), 1, GL_FALSE, glm::value_ptr(view_projection));
   glUniform3fv(program_.uniform("eye"), 1, glm::value_ptr(eye));
   const GLint place = program_.uniform("place");
-  const gl::Texture* bound = nullptr;
+  std::optional<std::size_t> bound[2];
+  const auto bind = [&](int unit, std::size_t texture) {
+    if (bound[unit] == texture) return;
+    bound[unit] = texture;
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, textures_[texture].id());
+  };
   for (const Instance& instance : instances_) {
     const Range& mesh = meshes_[instance.mesh];
-    const gl::Texture& texture =
-        mesh.texture < 0 ? textures_.back() : textures_[static_cast<std::size_t>(mesh.texture)];
-    if (bound != &texture) glBindTexture(GL_TEXTURE_2D, texture.id());
-    bound = &texture;
+    bind(0, mesh.colours);
+    bind(1, mesh.bumps);
     glUniformMatrix4fv(place, 1, GL_FALSE, glm::value_ptr(instance.place));
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.count), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(mesh.first * sizeof(std::uint32_t)));
   }
+  glActiveTexture(GL_TEXTURE0);  // as others expect it
 }
 
 }  // namespace tessera::view

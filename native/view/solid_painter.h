@@ -24,7 +24,7 @@ class SolidPainter {
   // Triangles of a mesh, as a part of the indices.
   struct Range {
     std::size_t first = 0, count = 0;
-    int texture = -1;
+    std::size_t colours, bumps;  // textures
   };
   struct Instance {
     std::size_t mesh;
@@ -38,8 +38,8 @@ class SolidPainter {
   gl::VertexArray layout_;
   gl::Buffer vertices_, indices_;
   std::vector<Range> meshes_;
-  std::vector<Instance> instances_;    // by texture
-  std::vector<gl::Texture> textures_;  // the last one is white
+  std::vector<Instance> instances_;    // by textures
+  std::vector<gl::Texture> textures_;  // the last two are white, and without bumps
 };
 
 }  // namespace tessera::view

@@ -9,7 +9,7 @@ import time
 import unittest
 import zlib
 
-from cli import PROGRAM, CliTest, png
+from cli import PROGRAM, CliTest, chunk, png
 
 PATIENCE = 60  # seconds, for what takes less than one
 
@@ -48,6 +48,37 @@ def shrunk(rows, factor):
         block = [rows[y + j][x + i] for j in range(factor) for i in range(factor)]
         return tuple(sum(p[c] for p in block) / len(block) for c in range(3))
     return [[mean(x, y) for x in range(0, len(rows[0]), factor)] for y in range(0, len(rows), factor)]
+
+
+def colour_png(colour):
+    """A pixel of a colour."""
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 1, 1, 8, 2, 0, 0, 0)) +
+            chunk(b'IDAT', zlib.compress(bytes((0, *colour)))) + chunk(b'IEND', b''))
+
+
+def glb_of_floor(bump):
+    """A grey square metre that faces up, its picture's top towards -z, with normals of this colour."""
+    vertices = b''.join(struct.pack('<8f', x, 0, z, 0, 1, 0, x + 0.5, z + 0.5) for z in (-0.5, 0.5) for x in (-0.5, 0.5))
+    parts = [vertices, struct.pack('<6H', 0, 2, 1, 1, 2, 3), colour_png((128, 128, 128)), colour_png(bump)]
+    views, packed = [], b''
+    for part in parts:
+        views.append({'buffer': 0, 'byteOffset': len(packed), 'byteLength': len(part)})
+        packed += part + bytes(-len(part) % 4)
+    views[0]['byteStride'] = 32
+    accessors = [{'bufferView': 0, 'byteOffset': at, 'componentType': 5126, 'count': 4, 'type': kind}
+                 for at, kind in ((0, 'VEC3'), (12, 'VEC3'), (24, 'VEC2'))]
+    accessors[0].update(min=[-0.5, 0, -0.5], max=[0.5, 0, 0.5])
+    accessors.append({'bufferView': 1, 'componentType': 5123, 'count': 6, 'type': 'SCALAR'})
+    text = json.dumps({
+        'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0}],
+        'meshes': [{'primitives': [{'attributes': {'POSITION': 0, 'NORMAL': 1, 'TEXCOORD_0': 2}, 'indices': 3, 'material': 0}]}],
+        'materials': [{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 1}}],
+        'textures': [{'source': 0}, {'source': 1}], 'accessors': accessors, 'bufferViews': views,
+        'images': [{'bufferView': 2, 'mimeType': 'image/png'}, {'bufferView': 3, 'mimeType': 'image/png'}],
+        'buffers': [{'byteLength': len(packed)}]}).encode()
+    text += b' ' * (-len(text) % 4)
+    return (struct.pack('<4sII', b'glTF', 2, 28 + len(text) + len(packed)) + struct.pack('<I4s', len(text), b'JSON') + text +
+            struct.pack('<I4s', len(packed), b'BIN\0') + packed)
 
 
 class ViewTest(CliTest):
@@ -155,6 +186,16 @@ class ViewTest(CliTest):
         self.assertLess(bright[len(bright) // 20], 150)                       # and shade
         for name in ('p.gltf', 'p.json'):
             self.assertLess(mean_difference(self.shot(name), rows), 1)
+
+    def test_normal_maps_bend_the_light(self):
+        def brightness(bump):
+            self.put('floor.glb', glb_of_floor(bump))
+            return sum(self.shot('floor.glb')[150][200])
+        flat = brightness((128, 128, 255))
+        # The sun stands to the left (-x) and in front (+z), which is down in the picture.
+        for towards, away in (((88, 128, 248), (168, 128, 248)), ((128, 88, 248), (128, 168, 248))):
+            self.assertGreater(brightness(towards), flat)
+            self.assertLess(brightness(away), flat - 10)
 
     def test_keys_and_mouse(self):
         self.put('quarters.png', png(40, 30, lambda x, y: 60 * (1 + (x >= 20) + 2 * (y >= 15)) - 50))
