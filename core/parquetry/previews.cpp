@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "tessera/base/portable_math.h"
+#include "tessera/geometry/angle.h"
 #include "tessera/geometry/scan.h"
 
 namespace tessera::parquetry {
@@ -44,13 +44,11 @@ Raster finished_preview(const std::vector<Panel>& panels, const std::vector<CutP
   for (const CutPiece& piece : pieces) {
     if (piece.target != target) continue;
     const cv::Mat3b& scan = panels[piece.panel].scan;
-    const SinCos turn = sin_cos(piece.turn_deg * kPi / 180);
+    const Angle angle = Angle::of_degrees(piece.turn_deg);
     const Point from = piece.finished.outer.front(), to = piece.on_panel.outer.front();
     each_run(piece.finished, size.width, size.height, [&](int y, int begin, int end) {
-      for (int x = begin; x < end; ++x) {
-        const Point p = Point{x + 0.5, y + 0.5} - from;
-        picture(y, x) = sample(scan, to + Point{turn.cos * p.x + turn.sin * p.y, turn.cos * p.y - turn.sin * p.x});
-      }
+      for (int x = begin; x < end; ++x)
+        picture(y, x) = sample(scan, to + angle.turned_back(Point{x + 0.5, y + 0.5} - from));
     });
   }
   return raster_of(picture);

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "tessera/base/portable_math.h"
 #include "tessera/parquetry/wood.h"
 
 namespace tessera::parquetry {
@@ -15,27 +14,21 @@ SpareWood::SpareWood(const std::vector<Panel>& panels, const std::vector<Patch>&
   assert(patches.size() == placements.size());
   for (const Panel& panel : panels) depths_.push_back(depth_of(panel.mask));
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const SinCos turn = sin_cos(placements[i].turn_deg * kPi / 180);
     const double width = patches[i].box.width, height = patches[i].box.height;
     cells_.push_back({.panel = placements[i].panel,
                       .middle = placements[i].to,
-                      .cos = turn.cos,
-                      .sin = turn.sin,
+                      .angle = Angle::of_degrees(placements[i].turn_deg),
                       .width = width,
                       .height = height,
                       .reach = 0.5 * std::sqrt(width * width + height * height)});
   }
 }
 
-Point SpareWood::Cell::on_panel(Point off) const {
-  return middle + Point{cos * off.x + sin * off.y, cos * off.y - sin * off.x};
-}
+Point SpareWood::Cell::on_panel(Point off) const { return middle + angle.turned_back(off); }
 
 double SpareWood::Cell::distance(Point on_panel) const {
-  const Point off = on_panel - middle;
-  const double across = std::abs(cos * off.x - sin * off.y) - 0.5 * width;
-  const double down = std::abs(sin * off.x + cos * off.y) - 0.5 * height;
-  return length({std::max(0.0, across), std::max(0.0, down)});
+  const Point off = angle.turned(on_panel - middle);
+  return length({std::max(0.0, std::abs(off.x) - 0.5 * width), std::max(0.0, std::abs(off.y) - 0.5 * height)});
 }
 
 std::vector<const SpareWood::Cell*> SpareWood::near(const Cell& cell, double reach) const {

@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "tessera/geometry/angle.h"
 #include "tessera/parquetry/panel.h"
 #include "tessera/parquetry/patch.h"
 
@@ -27,7 +28,8 @@ class SpareWood {
   struct Cell {
     int panel = -1;
     Point middle;
-    double cos = 1, sin = 0, width = 0, height = 0, reach = 0;
+    Angle angle;
+    double width = 0, height = 0, reach = 0;
 
     Point on_panel(Point off) const;  // from the middle of the patch, on the target
     double distance(Point on_panel) const;

@@ -5,6 +5,7 @@
 
 #include "tessera/base/distributions.h"
 #include "tessera/base/portable_math.h"
+#include "tessera/geometry/angle.h"
 
 namespace tessera::patterns {
 namespace {
@@ -71,13 +72,10 @@ Cells drop_bombs(const std::vector<Point>& centres, const Params& params, Rng& r
   cells.reserve(centres.size());
   for (Point centre : centres) {
     if (is_pixel) centre = {std::floor(centre.x) + 0.5, std::floor(centre.y) + 0.5};
-    const SinCos turn = is_round || is_pixel ? SinCos{0, 1} : sin_cos(rng.uniform(0, kPi));
+    const Angle angle = is_round || is_pixel ? Angle{} : Angle::of(rng.uniform(0, kPi));
     const double scale = is_pixel ? 1 : drawn_size(params.size_variation, rng);
     Ring ring = figure.shape;
-    for (Point& p : ring) {
-      const double x = scale * figure.length * p.x, y = scale * figure.breadth * p.y;
-      p = centre + Point{turn.cos * x - turn.sin * y, turn.sin * x + turn.cos * y};
-    }
+    for (Point& p : ring) p = centre + angle.turned({scale * figure.length * p.x, scale * figure.breadth * p.y});
     cells.push_back(std::move(ring));
   }
   return cells;

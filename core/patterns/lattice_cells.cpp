@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tessera/base/portable_math.h"
+#include "tessera/geometry/angle.h"
 
 namespace tessera::patterns {
 namespace {
@@ -38,13 +39,9 @@ Pattern pattern_of(Lattice lattice) {
   return {{half, 0}, {0, high}, {2, 0}, {1, 1}, {{{0, 0}, {2, 0}, {1, 1}}, {{2, 0}, {3, 1}, {1, 1}}}};
 }
 
-Point turned(Point p, const SinCos& turn) {
-  return {turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y};
-}
-
 Frame random_frame(const Pattern& pattern, double side, const Window& window, Rng& rng) {
-  const SinCos turn = sin_cos(rng.uniform(0, 2 * kPi));
-  Frame frame{{}, turned(side * pattern.u, turn), turned(side * pattern.v, turn)};
+  const Angle angle = Angle::of(rng.uniform(0, 2 * kPi));
+  Frame frame{{}, angle.turned(side * pattern.u), angle.turned(side * pattern.v)};
   // Anywhere between neighbouring copies.
   const Point right = frame.at(pattern.right.i, pattern.right.j), down = frame.at(pattern.down.i, pattern.down.j);
   const double a = rng.uniform(), b = rng.uniform();
