@@ -212,12 +212,9 @@ class ParquetTest(CliTest):
         self.succeed('run', 'out/job.json', '-o', 'again')
         self.assertEqual(self.files('out'), self.files('again'))
 
-    def test_an_interrupted_run_goes_on(self):
-        flags = ['parquet', 'target.png', '--panel', 'board.png,name=oak', '--image-size-mm', 70, '--adaptive-levels', 1,
-                 '--min-width-mm', 2, '--progress', 'always', '--patch-mm', 5]
-        quiet = [*flags[:-4], '--patch-mm']
-        self.succeed(*flags, '-o', 'whole')
-        run = subprocess.Popen([PROGRAM, *map(str, flags), '-o', 'out'], cwd=self.folder, stderr=subprocess.PIPE)
+    def interrupt(self, flags):
+        """Stops a run that tells its progress while it matches; what it has said by its end."""
+        run = subprocess.Popen([PROGRAM, *map(str, flags)], cwd=self.folder, stderr=subprocess.PIPE)
         seen = b''
         while not re.search(rb' [1-9]\d% matching', seen):
             seen += os.read(run.stderr.fileno(), 1000) or self.fail('it ended too early')
@@ -225,6 +222,14 @@ class ParquetTest(CliTest):
         seen += run.stderr.read()
         run.stderr.close()
         self.assertEqual(run.wait(), 130)
+        return seen
+
+    def test_an_interrupted_run_goes_on(self):
+        flags = ['parquet', 'target.png', '--panel', 'board.png,name=oak', '--image-size-mm', 70, '--adaptive-levels', 1,
+                 '--min-width-mm', 2, '--progress', 'always', '--patch-mm', 5]
+        quiet = [*flags[:-4], '--patch-mm']
+        self.succeed(*flags, '-o', 'whole')
+        seen = self.interrupt([*flags, '-o', 'out'])
         self.assertIn(b'out.checkpoint', seen)
         self.assertFalse((self.folder / 'out').exists())
         state = self.bytes_of('out.checkpoint')
@@ -266,14 +271,7 @@ class ParquetTest(CliTest):
         flags = ['parquet', 'target.png', '--panel', 'board.png,name=oak', '--image-size-mm', 70, '--patch-mm', 7,
                  '--min-width-mm', 3, '--seams', 'g1', '--progress', 'always']
         self.succeed(*flags, '-o', 'whole')
-        run = subprocess.Popen([PROGRAM, *map(str, flags), '-o', 'out'], cwd=self.folder, stderr=subprocess.PIPE)
-        seen = b''
-        while not re.search(rb' [1-9]\d% matching', seen):
-            seen += os.read(run.stderr.fileno(), 1000) or self.fail('it ended too early')
-        run.send_signal(signal.SIGINT)
-        run.stderr.read()
-        run.stderr.close()
-        self.assertEqual(run.wait(), 130)
+        self.interrupt([*flags, '-o', 'out'])
         self.succeed(*flags, '-o', 'out', '--resume')
         self.assertEqual(self.files('out'), self.files('whole'))
 

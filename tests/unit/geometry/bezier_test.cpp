@@ -5,20 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../distances.h"
 #include "tessera/base/rng.h"
 
 namespace tessera {
 namespace {
-
-double distance_to(Point p, const Ring& line) {
-  double least = 1e30;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Point way = line[i + 1] - line[i];
-    const double share = std::clamp(dot(p - line[i], way) / dot(way, way), 0.0, 1.0);
-    least = std::min(least, length(p - line[i] - share * way));
-  }
-  return least;
-}
 
 // Both ways, a hundred points a curve.
 double distance_between(const Ring& line, const std::vector<Bezier>& curves) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "../distances.h"
 #include "boards.h"
 #include "tessera/geometry/scan.h"
 #include "tessera/parquetry/run.h"
@@ -253,16 +254,6 @@ TEST(SeamNetwork, CoversTheTargetOnce) {
     EXPECT_NEAR(sum, made.target.size().area(), 1e-6 * sum);
     EXPECT_EQ(cv::countNonZero(covered == 1), covered.size().area());
   }
-}
-
-double distance_to(Point p, const Ring& line) {
-  double least = 1e30;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Point way = line[i + 1] - line[i];
-    const double share = std::clamp(dot(p - line[i], way) / dot(way, way), 0.0, 1.0);
-    least = std::min(least, length(p - line[i] - share * way));
-  }
-  return least;
 }
 
 TEST(SeamNetwork, IsWithinTheErrorAndSmooth) {
