@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kRepetitions = 2;
 constexpr std::int64_t kNotFree = std::int64_t{1} << 40;  // of a pixel; more than all errors beside a cut
-constexpr double kOpening = 0.4;  // tangent of 22 degrees: what is left between two seams are 46
+constexpr double kOpening = 0.36;  // tangent of 20 degrees: what is left between two seams are 50
 
 // Seams of one direction, seen as if they ran down the columns: `along` them a pixel has its row, across them its
 // place.

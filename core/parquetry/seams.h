@@ -66,7 +66,7 @@ std::vector<int> cheapest_cut(const CutCosts& given);
 // Where seams may not be, so that pieces can be made; px.
 struct SeamLimits {
   int stray = 0;           // from their lines of the grid
-  double at_crossing = 0;  // the same where another line crosses; from there on they may open by 22 degrees, so
+  double at_crossing = 0;  // the same where another line crosses; from there on they may open by 20 degrees, so
                            // that pieces have no horns
   double apart = 0;        // nearer to each other than that, no two step aside in the same direction
 };

@@ -8,8 +8,8 @@
 namespace tessera::parquetry {
 namespace {
 
-constexpr double kCorner = 1.2;  // squared radii that a disc leaves of a corner of 46 degrees
-constexpr int kAround = 2;       // px
+constexpr double kCorner = 1.05;  // squared radii: what a disc leaves of a corner of 49 degrees; curves may take more
+constexpr int kAround = 2;        // px
 
 // Piece (column, row) in a frame of a pixel; `corner` becomes where the frame's first pixel is on the target.
 cv::Mat1b mask_of(const Grid& grid, const Seams& seams, int stray, int column, int row, cv::Point& corner) {

@@ -7,7 +7,7 @@ namespace tessera::parquetry {
 
 // Places of a piece that are narrower than `width` px: all of it where no disc of that diameter finds room or such
 // discs can not go from one place to another, else what the disc does not reach, as far as that is more than a corner
-// of 46 degrees leaves. `piece`: 255 inside, with a frame of 0.
+// of 49 degrees leaves. `piece`: 255 inside, with a frame of 0.
 std::vector<cv::Rect> narrow_places(const cv::Mat1b& piece, double width);
 
 // Where a seam is in `places`, in those of `rows`, it becomes an eighth less far from its line of the grid than the
