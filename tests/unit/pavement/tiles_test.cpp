@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
@@ -24,6 +26,7 @@ struct Case {
   cv::Mat3b drawing;
   Params params;
   std::uint64_t seed = 1;
+  double may_differ = 0;  // of the stones far from borders
 };
 
 Params params_with(double half_side, int tiles, int colors = 2) {
@@ -53,7 +56,7 @@ std::vector<Case> cases() {
   return {{"waves", waves, params_with(1.5, 192)},
           {"waves, other tiles and seed", waves, params_with(2, 257), 7},
           {"lines", lines, params_with(1.5, 190)},
-          {"specks", specks, params_with(1.5, 192)},
+          {"specks", specks, params_with(1.5, 192), 1, 0.001},
           {"four colours", colours, params_with(1.5, 192, 4)},
           {"empty", flat_drawing(600, 430, 255), params_with(1.5, 192)}};
 }
@@ -104,12 +107,16 @@ std::set<std::string> texts_far_from_borders(const Output& output, const Case& c
   return texts;
 }
 
+// Among thousands of specks one stone or another may be about to be tangled, where little decides (tiles.h).
 TEST(Tiles, StonesFarFromBordersAreThoseOfTheWhole) {
   for (const Case& c : cases()) {
     const auto whole = texts_far_from_borders(at_once(c.drawing, c.params, c.seed), c);
     const auto tiled = texts_far_from_borders(in_tiles(c.drawing, c.params, c.seed), c);
     EXPECT_GT(whole.size(), 500U) << c.name;
-    EXPECT_EQ(tiled, whole) << c.name;
+    std::vector<std::string> differ;
+    std::set_symmetric_difference(whole.begin(), whole.end(), tiled.begin(), tiled.end(), std::back_inserter(differ));
+    const auto most = static_cast<std::size_t>(c.may_differ * static_cast<double>(whole.size() + tiled.size()));
+    EXPECT_LE(differ.size(), most) << c.name << ' ' << testing::PrintToString(differ);
   }
 }
 
