@@ -24,7 +24,7 @@ class SolidPainter {
   // Triangles of a mesh, as a part of the indices.
   struct Range {
     std::size_t first = 0, count = 0;
-    std::size_t colours, bumps;  // textures
+    std::size_t colours = 0, bumps = 0;  // textures
   };
   struct Instance {
     std::size_t mesh;
